@@ -249,9 +249,9 @@ json used_textures(const CheckedScene& c) {
   for (const scene::Element& element : c.scene.elements()) {
     const auto* t = std::get_if<scene::Texture>(&element);
     if (!t || t->file.empty()) continue;
-    std::error_code error;
+    const FileAccess& files = c.scene.files;
     const bool exists =
-        std::filesystem::is_regular_file(scene::find_asset(t->file, t->directory), error);
+        bool(files.open(scene::find_asset(t->file, t->directory, files), FileUse::Asset));
     const char* state = missing.count(t->file) > 0 ? "missing" : exists ? "found" : "unused";
     json entry = {{"name", t->name}, {"written", t->file}, {"state", state}};
     set_place(t->where, c.diagnostics, entry);

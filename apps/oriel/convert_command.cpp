@@ -34,6 +34,8 @@ struct QuickArguments : ConvertArguments {
     if (denoise && samples != 1) words.emplace_back("--denoise");
     if (threads > 0) words.insert(words.end(), {"--threads", std::to_string(threads)});
     if (cryptomatte > 0) words.push_back(fmt::format("--cryptomatte={}", cryptomatte));
+    const std::vector<std::string> trusted = trust_words(trust_of_result(*this));
+    words.insert(words.end(), trusted.begin(), trusted.end());
     if (json) words.emplace_back("--json");
     if (quiet) words.emplace_back("-q");
     return words;
@@ -95,6 +97,7 @@ void add_shared(CLI::App& command, ConvertArguments& a) {
       .add_option("--emission-scale", a.emission_scale,
                   "Factor of the emission of materials (default 683 for files of Blender, else 1)")
       ->check(CLI::NonNegativeNumber);
+  add_trust_options(command, a.trust);
   command.add_option("--animation-time", a.animation_time,
                      "Time of the first animation of a glTF file in seconds (default: none, the "
                      "file's own pose)");

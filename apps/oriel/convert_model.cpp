@@ -48,9 +48,11 @@ models::DaylightOptions daylight_options(const ConvertArguments& a) {
 
 bool is_glb(const fs::path& path) { return path.extension() == ".glb"; }
 
-scene::Scene read_mi(const std::string& path, Diagnostics& diagnostics) {
+scene::Scene read_mi(const std::string& path, const TrustArguments& trust,
+                     Diagnostics& diagnostics) {
   SceneArguments arguments;
   arguments.path = path;
+  arguments.trust = trust;
   mi::Reader reader(path, read_options(arguments, builtin_shaders()), diagnostics);
   if (!reader.opened()) throw UserError(fmt::format("cannot read '{}'", path));
   return mi::read_all(reader);
@@ -79,7 +81,7 @@ class Conversion {
       throw UserError(fmt::format("cannot write '{}': there is no folder '{}'", to_, folder));
     check_scene_target(to_, a_.force);
     if (is_mi(a_.model)) {
-      scene_ = read_mi(a_.model, diagnostics_);
+      scene_ = read_mi(a_.model, a_.trust, diagnostics_);
       write();
       return;
     }
@@ -90,6 +92,7 @@ class Conversion {
       how_.aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
     how_.emission_scale = a_.emission_scale;
     how_.seconds = a_.animation_time;
+    how_.files = file_access(a_.trust);
     read(diagnostics_);
     const bool of_file = models::choose_camera(scene_, options, diagnostics_);
     printer_.print_new();
@@ -128,7 +131,7 @@ class Conversion {
 
   /// As it will be read: pictures are found from where the scene is.
   float metered(float f_number) {
-    scene::Scene written = read_mi(to_, diagnostics_);
+    scene::Scene written = read_mi(to_, trust_of_result(a_), diagnostics_);
     return metered_shutter(written, f_number) / kMiddleGrey;
   }
 
@@ -172,6 +175,14 @@ class Conversion {
 };
 
 }  // namespace
+
+TrustArguments trust_of_result(const ConvertArguments& a) {
+  TrustArguments trust = a.trust;
+  const std::string folder = fs::path(a.model).parent_path().string();
+  trust.allowed.push_back(folder.empty() ? "." : folder);
+  if (!a.sky.empty()) trust.allowed.push_back(a.sky);
+  return trust;
+}
 
 bool is_mi(const fs::path& path) {
   return path.extension() == ".mi" ||

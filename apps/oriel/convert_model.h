@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "trust_options.h"
+
 namespace oriel::app {
 
 /// What the user asked for.
@@ -19,7 +21,11 @@ struct ConvertArguments {
   float sky_rotation = 0;               ///< degrees
   bool daylight = false, quiet = false;
   bool force = false;  ///< replace a scene that the user wrote or edited
+  TrustArguments trust = {};
 };
+
+/// The result names pictures in the folder of the model.
+TrustArguments trust_of_result(const ConvertArguments& arguments);
 
 bool is_mi(const std::filesystem::path& path);
 /// Whether the name is that of a model, by its suffix.

@@ -9,7 +9,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <string>
+#include <utility>
 
+#include "base/printable.h"
 #include "command.h"
 
 namespace oriel::app {
@@ -29,13 +32,27 @@ int write_text(int descriptor, const char* text, std::size_t size) {
   return 0;
 }
 
+int write_text(int descriptor, const std::string& text) {
+  return write_text(descriptor, text.data(), text.size());
+}
+
+/// The beginning of a character at the end of the standard output so far.
+std::string& unfinished() {
+  static std::string bytes;
+  return bytes;
+}
+
 // An error would make fmt::print throw in the middle of a render: success is reported always.
+// Names of files and scenes are part of any text, so control characters are escaped here.
 ssize_t write_output(void*, const char* text, std::size_t size) {
-  if (output_error == 0) output_error = write_text(STDOUT_FILENO, text, size);
+  std::string whole = std::exchange(unfinished(), {}).append(text, size);
+  unfinished() = whole.substr(whole.size() - incomplete_end(whole));
+  whole.resize(whole.size() - unfinished().size());
+  if (output_error == 0) output_error = write_text(STDOUT_FILENO, printable(whole));
   return static_cast<ssize_t>(size);
 }
 ssize_t write_message(void*, const char* text, std::size_t size) {
-  write_text(STDERR_FILENO, text, size);
+  write_text(STDERR_FILENO, printable({text, size}));
   return static_cast<ssize_t>(size);
 }
 
@@ -66,8 +83,11 @@ void prepare_process() {
 
 std::chrono::steady_clock::time_point process_start() { return start(); }
 
+void clear_line() { write_text(STDERR_FILENO, "\r\x1b[K"); }
+
 int close_streams(int exit_code) {
   std::fflush(stdout);
+  if (output_error == 0) output_error = write_text(STDOUT_FILENO, printable(unfinished()));
   const int error = output_error;
   if (error == 0 || error == EPIPE) return exit_code;
   fmt::print(stderr, "oriel: cannot write to standard output: {}\n", std::strerror(error));

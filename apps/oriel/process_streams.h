@@ -6,11 +6,16 @@
 
 namespace oriel::app {
 
-/// Model:   a closed pipe (`oriel ... | head`) drops further text quietly. Errors of standard
+/// Model:   control characters other than line feed and tab are written as escapes: see
+///          base/printable.h. A closed pipe (`oriel ... | head`) drops further text quietly. Errors
+///          of standard
 /// output
 ///          are remembered; errors of standard error are ignored. The signals SIGPIPE and SIGXFSZ
 ///          (file size limit) no longer end the process; the writes fail instead.
 void prepare_process();
+
+/// Returns the cursor of the terminal to the start of the line and clears the line.
+void clear_line();
 
 /// When prepare_process() was called.
 std::chrono::steady_clock::time_point process_start();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "process_streams.h"
 #include "scene_file.h"
 
 namespace oriel::app {
@@ -64,14 +65,15 @@ void ProgressLine::update(const Progress& p) {
     return;
   }
   const int filled = static_cast<int>(std::lround(kBarWidth * p.done));
-  fmt::print(stderr, "\r\x1b[K[{}{}] {}", std::string(static_cast<std::size_t>(filled), '#'),
+  clear_line();
+  fmt::print(stderr, "[{}{}] {}", std::string(static_cast<std::size_t>(filled), '#'),
              std::string(static_cast<std::size_t>(kBarWidth - filled), '.'), progress_text(p));
   std::fflush(stderr);
   drawn_ = true;
 }
 
 void ProgressLine::clear() {
-  if (drawn_) fmt::print(stderr, "\r\x1b[K");
+  if (drawn_) clear_line();
   drawn_ = false;
 }
 

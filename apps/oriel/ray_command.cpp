@@ -71,6 +71,10 @@ void set_program(const RayCall& call, RayPlan& plan) {
   if (name == "file_name" || name == "fn") plan.file_name = word;
   if (name == "file_type") plan.file_type = word;
   if (name == "file_dir") plan.file_dir = word;
+  TrustArguments& trusted = plan.render.scene.trust;
+  if (name == "untrusted") trusted.untrusted = true;
+  if (name == "allow") trusted.allowed.push_back(word);
+  if (name == "budget") trusted.budgets.push_back(word);
 }
 
 void trust(const std::string& folder, RayPlan& plan) {

@@ -48,6 +48,9 @@ constexpr Row kRows[] = {
     {"fn", "string", Program, "", "as -file_name"},
     {"file_type", "string", Program, "", "the picture's format"},
     {"file_dir", "string", Program, "", "folder of all pictures"},
+    {"untrusted", "", Program, "", "as --untrusted of oriel render"},
+    {"allow", "string", Program, "", "as --allow of oriel render"},
+    {"budget", "string", Program, "", "as --budget of oriel render"},
     // The camera
     {"resolution", "int int", Camera, "resolution", "pixels"},
     {"aperture", "float", Camera, "aperture", "film width"},

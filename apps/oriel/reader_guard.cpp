@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/printable.h"
 #include "command.h"
 
 namespace oriel::app {
@@ -28,7 +29,7 @@ ReaderGuard::ReaderGuard(const std::string& path) : stack_(kStack) {
   const auto end = fmt::format_to_n(message, kLongest,
                                     "oriel: error: '{}' cannot be read: the importer failed; the "
                                     "file is probably damaged [OR-MD-001]\n",
-                                    path.substr(0, kLongest / 2));
+                                    printable(path.substr(0, kLongest / 8)));
   message_size = std::min(end.size, kLongest);
   stack_t stack{};
   stack.ss_sp = stack_.data();

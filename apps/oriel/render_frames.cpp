@@ -141,6 +141,7 @@ class FrameRenderer {
     settings.map_files = map_files();
     settings.diagnostics = &diagnostics_;
     settings.started = begun_;
+    if (!fits(film_bytes(*world_, settings), command)) return false;
     session_.emplace(*world_, settings);
     last_write_ = Clock::now();
     const StopReason reason = session_->run(
@@ -159,6 +160,19 @@ class FrameRenderer {
     finish(reason);
     begun_ = Clock::now();
     return true;
+  }
+
+  /// Whether the pixels stay within their budget.
+  bool fits(std::uint64_t bytes, const scene::RenderCommand& command) const {
+    const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
+    if (bytes <= scene_.budgets[Budget::Pixels]) return true;
+    diagnostics_.error(
+        "OR-RN-082", camera ? camera->where : command.where,
+        fmt::format("a picture of {} x {} pixels is not rendered: {}", world_->camera.width,
+                    world_->camera.height, scene_.budgets.excess(Budget::Pixels, bytes)),
+        "choose a lower resolution, --crop or fewer layers; " +
+            SceneBudgets::hint(Budget::Pixels, bytes));
+    return false;
   }
 
   /// After the files: output shaders belong to the frame.

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "base/durable_file.h"
+#include "base/file_access.h"
 #include "base/file_text.h"
 #include "mi/number.h"
 #include "scene/asset_path.h"
@@ -68,7 +69,7 @@ std::optional<std::string> bytes_of_hex(std::string_view digits) {
 SceneCode::SceneCode(const SceneArguments& arguments, Diagnostics& diagnostics)
     : arguments_(arguments),
       diagnostics_(diagnostics),
-      trusted_(sdk::trusted_folders(arguments.shader_path)) {}
+      trusted_(sdk::trusted_folders(arguments.shader_path, arguments.trust.untrusted)) {}
 
 void SceneCode::compile(scene::Scene& scene) {
   if (!arguments_.trust_code) return;
@@ -83,16 +84,15 @@ void SceneCode::compile(scene::Scene& scene) {
 fs::path SceneCode::find(const std::string& written) const {
   std::error_code error;
   const std::string portable = scene::with_slashes(written);
-  for (const fs::path& folder : sdk::trusted_folders(arguments_.shader_path))
+  for (const fs::path& folder : trusted_)
     if (const fs::path path = folder / fs::path(portable).filename();
         fs::is_regular_file(path, error))
       return path;
   const fs::path scene_folder = fs::path(arguments_.path).parent_path() / ".";
   const fs::path path = fs::weakly_canonical(fs::absolute(scene_folder / portable), error);
   const fs::path root = fs::weakly_canonical(fs::absolute(scene_folder), error);
-  return fs::is_regular_file(path, error) && scene::lies_below(path.string(), root.string())
-             ? path
-             : fs::path();
+  return fs::is_regular_file(path, error) && lies_below(path.string(), root.string()) ? path
+                                                                                      : fs::path();
 }
 
 bool SceneCode::make_cache(SourceLocation where) {

@@ -145,11 +145,12 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
       .add_option(
           "--shader-path", arguments.shader_path,
           "Folders from which `link` may load shader libraries, separated by colons; those of "
-          "ORIEL_SHADER_PATH are searched as well")
+          "ORIEL_SHADER_PATH are searched as well, except with --untrusted")
       ->type_name("DIRS");
   command.add_flag("--trust-code", arguments.trust_code,
                    "Compile and run C sources in the scene ($code and `code` statements); only "
                    "for scenes from trusted authors");
+  add_trust_options(command, arguments.trust);
 }
 
 mi::ReadOptions read_options(const SceneArguments& arguments, const Registry& registry) {
@@ -158,6 +159,10 @@ mi::ReadOptions read_options(const SceneArguments& arguments, const Registry& re
   options.include_paths.push_back(data_folder());
   options.packages = builtin_packages();
   options.trusts_code = arguments.trust_code;
+  if (arguments.trust_code && arguments.trust.untrusted)
+    throw UsageError("--trust-code and --untrusted exclude each other");
+  options.files = file_access(arguments.trust);
+  options.budgets = scene_budgets(arguments.trust);
   options.knows_shader = [&registry](std::string_view name) { return registry.find(name); };
   return options;
 }

@@ -10,6 +10,7 @@
 #include "mi/reader.h"
 #include "runtime/shader_spec.h"
 #include "scene/scene.h"
+#include "trust_options.h"
 
 namespace oriel::app {
 
@@ -19,9 +20,10 @@ struct SceneArguments {
   std::vector<std::string> edits;  ///< element.parameter=value
   std::string shader_path;         ///< folders whose native shaders may run
   bool trust_code = false;         ///< C sources in the scene are compiled and run
+  TrustArguments trust = {};
 };
 
-/// SCENE, -I, --set and --shader-path.
+/// SCENE, -I, --set, --shader-path and those of trust_options.h.
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 
 /// How .mi files are read by the program. Includes are looked for in the program's own data folder

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <numeric>
 
+#include "base/printable.h"
+
 namespace oriel {
 namespace {
 
@@ -29,6 +31,20 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   }
   return row[b.size()];
 }
+
+/// Text with `with` in place of line feeds, without control characters: a name must not look like
+/// a message of its own.
+std::string with_line_feeds(std::string_view text, std::string_view with) {
+  std::string made;
+  for (const char c : printable(text))
+    if (c == '\n')
+      made += with;
+    else
+      made += c;
+  return made;
+}
+std::string in_one_line(std::string_view text) { return with_line_feeds(text, "\\n"); }
+std::string indented(std::string_view text) { return with_line_feeds(text, "\n    "); }
 
 }  // namespace
 
@@ -65,15 +81,16 @@ bool Diagnostics::has(std::string_view code) const {
 std::string Diagnostics::format(const Diagnostic& d) const {
   std::string text;
   const auto place = [&](SourceLocation w) {
-    if (w.line == 0) return w.file ? files_[w.file].path : std::string("oriel");
-    return fmt::format("{}:{}:{}", files_[w.file].path, w.line, w.column);
+    const std::string path = in_one_line(files_[w.file].path);
+    if (w.line == 0) return w.file ? path : std::string("oriel");
+    return fmt::format("{}:{}:{}", path, w.line, w.column);
   };
   for (SourceLocation from = files_[d.where.file].included_from; from.file != 0;
        from = files_[from.file].included_from)
     text = fmt::format("in file included from {}:\n", place(from)) + text;
   text += fmt::format("{}: {}: {} [{}]", place(d.where),
-                      kSeverityNames[static_cast<int>(d.severity)], d.message, d.code);
-  if (!d.hint.empty()) text += fmt::format("\n    hint: {}", d.hint);
+                      kSeverityNames[static_cast<int>(d.severity)], indented(d.message), d.code);
+  if (!d.hint.empty()) text += fmt::format("\n    hint: {}", indented(d.hint));
   return text;
 }
 

@@ -3,16 +3,16 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
+
+#include "base/file_access.h"
 
 namespace oriel {
 
-/// The content of the file; empty if it cannot be read.
+/// The content of the file; empty if it cannot be read or is not a regular file.
 inline std::string file_text(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  OpenFile file = open_regular(path.string());
+  return file ? file.read() : std::string();
 }
 
 }  // namespace oriel

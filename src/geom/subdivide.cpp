@@ -116,7 +116,8 @@ class MeshMaker {
 
 Mesh subdivide(const scene::PolygonGroup& group, const scene::SubdivisionSurface& surface,
                bool tagged, const scene::Approximation* approximation,
-               const scene::TessellationView& view, Diagnostics& diagnostics) {
+               const scene::TessellationView& view, Diagnostics& diagnostics,
+               std::size_t most_faces) {
   Mesh mesh;
   mesh.tagged = tagged;
   if (!surface.details.empty())
@@ -128,8 +129,9 @@ Mesh subdivide(const scene::PolygonGroup& group, const scene::SubdivisionSurface
   // Trims remove children of a face, so they require at least one refinement.
   const int wanted =
       std::max(subdivision_level(cage, approximation, view), surface.trims.empty() ? 0 : 1);
-  const int level = affordable_level(cage, wanted);
-  if (level < wanted)
+  const int level =
+      affordable_level(cage, wanted, most_faces > 0 ? std::min(most_faces, kMaxFaces) : kMaxFaces);
+  if (level < wanted && most_faces == 0)
     diagnostics.warning("OR-GEOM-021", surface.where,
                         fmt::format("surface \"{}\" exceeds {} faces; it is refined "
                                     "{} times instead of {}",

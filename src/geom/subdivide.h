@@ -33,7 +33,8 @@ int subdivision_level(const SubdivisionCage& cage, const scene::Approximation* a
 ///          seams, or linear in each base face if the scene says `face`. Trims remove faces without
 ///          changing the shape of the rest. `detail`, hierarchies of faces and second derivatives
 ///          are ignored; motion vectors are refined like points.
-/// Inputs:  group: for material names; tagged: faces have labels instead of materials.
+/// Inputs:  group: for material names; tagged: faces have labels instead of materials. most_faces:
+///          0: kMaxFaces; lower levels because of another value are not reported.
 /// Errors:  OR-GEOM-020 details ignored, OR-GEOM-021 level reduced because of kMaxFaces,
 ///          OR-GEOM-022 faces skipped.
 /// Source:  E. Catmull, J. Clark, "Recursively generated B-spline surfaces on arbitrary topological
@@ -43,12 +44,15 @@ int subdivision_level(const SubdivisionCage& cage, const scene::Approximation* a
 /// Checked: Subdivide.*
 Mesh subdivide(const scene::PolygonGroup& group, const scene::SubdivisionSurface& surface,
                bool tagged, const scene::Approximation* approximation,
-               const scene::TessellationView& view, Diagnostics& diagnostics);
+               const scene::TessellationView& view, Diagnostics& diagnostics,
+               std::size_t most_faces = 0);
 
 /// Maximum number of faces of one refined surface: 8 M triangles, less than 2 GB in total.
 inline constexpr std::size_t kMaxFaces = std::size_t{4} << 20;
 
 /// Reduces the number of refinements until the surface has at most `most` faces.
 int affordable_level(const SubdivisionCage& cage, int level, std::size_t most = kMaxFaces);
+/// Triangles of a surface that is refined `level` times, at most kMaxFaces faces.
+std::uint64_t triangles_at_level(const SubdivisionCage& cage, int level);
 
 }  // namespace oriel::geom

@@ -95,6 +95,13 @@ int subdivision_level(const SubdivisionCage& cage, const Approximation* approxim
                           static_cast<std::size_t>(a.max_triangles) / (cage.loop ? 1 : 2));
 }
 
+std::uint64_t triangles_at_level(const SubdivisionCage& cage, int level) {
+  const std::uint64_t of_face = cage.loop ? 1 : 2;
+  if (level == 0) return of_face * cage.face_sizes.size();
+  const std::uint64_t first = cage.loop ? cage.face_sizes.size() * 4 : cage.corners.size();
+  return of_face * (first << (2 * (level - 1)));
+}
+
 int affordable_level(const SubdivisionCage& cage, int level, std::size_t most_faces) {
   // The first refinement makes a quad for each corner, later ones four faces of each.
   const std::size_t first = cage.loop ? cage.face_sizes.size() * 4 : cage.corners.size();

@@ -210,10 +210,11 @@ class Tessellator {
   std::vector<Triangle> cut_;
 };
 
-/// The finer of the approximation of the surface and that of its displacement.
-Mesh subdivide_as_asked(const scene::PolygonGroup& group, const scene::SubdivisionSurface& surface,
-                        bool tagged, const scene::ApproximationRules& rules,
-                        const scene::TessellationView& view, Diagnostics& diagnostics) {
+/// The finer of the approximation of the surface and that of its displacement; null: none.
+const scene::Approximation* requested_approximation(const scene::PolygonGroup& group,
+                                                    const scene::SubdivisionSurface& surface,
+                                                    const scene::ApproximationRules& rules,
+                                                    const scene::ApproximationContext& context) {
   using Kind = scene::Approximation::Kind;
   const bool ccmesh = surface.form == scene::SubdivisionSurface::Form::CcMesh;
   const scene::Approximation* own =
@@ -221,13 +222,38 @@ Mesh subdivide_as_asked(const scene::PolygonGroup& group, const scene::Subdivisi
   const scene::Approximation* displace = rules.find(Kind::Displace, surface.name);
   if (displace) {
     const SubdivisionCage cage = cage_of(group, surface);
-    if (!own || subdivision_level(cage, displace, view) > subdivision_level(cage, own, view))
+    if (!own || subdivision_level(cage, displace, context.view) >
+                    subdivision_level(cage, own, context.view))
       own = displace;
   }
-  return subdivide(group, surface, tagged, own, view, diagnostics);
+  return own;
+}
+
+Mesh subdivide_as_asked(const scene::PolygonGroup& group, const scene::SubdivisionSurface& surface,
+                        bool tagged, const scene::ApproximationRules& rules,
+                        const scene::ApproximationContext& context, Diagnostics& diagnostics) {
+  return subdivide(group, surface, tagged, requested_approximation(group, surface, rules, context),
+                   context.view, diagnostics, context.most_triangles / 2);
 }
 
 }  // namespace
+
+std::uint64_t subdivided_triangles(const scene::Object& object,
+                                   const scene::ApproximationContext& context) {
+  std::uint64_t sum = 0;
+  for (const scene::PolygonGroup& group : object.groups) {
+    if (group.subdivisions.empty()) continue;
+    const scene::ApproximationRules rules = context.rules(group);
+    for (const scene::SubdivisionSurface& surface : group.subdivisions) {
+      const SubdivisionCage cage = cage_of(group, surface);
+      const int level = affordable_level(
+          cage, subdivision_level(cage, requested_approximation(group, surface, rules, context),
+                                  context.view));
+      sum += triangles_at_level(cage, level);
+    }
+  }
+  return sum;
+}
 
 Mesh tessellate(const scene::Object& object, Diagnostics& diagnostics) {
   return tessellate(object, {}, diagnostics);
@@ -244,8 +270,8 @@ Mesh tessellate(const scene::Object& object, const scene::ApproximationContext& 
     if (group.subdivisions.empty()) continue;
     const scene::ApproximationRules rules = context.rules(group);
     for (const scene::SubdivisionSurface& surface : group.subdivisions)
-      append_mesh(
-          mesh, subdivide_as_asked(group, surface, mesh.tagged, rules, context.view, diagnostics));
+      append_mesh(mesh,
+                  subdivide_as_asked(group, surface, mesh.tagged, rules, context, diagnostics));
   }
   for (const scene::PolygonGroup& group : object.groups)
     append_mesh(mesh, tessellate_freeform(object, group, context, diagnostics));

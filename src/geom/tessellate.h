@@ -2,6 +2,8 @@
 // Tessellates the polygon groups of an object to one triangle mesh.
 #pragma once
 
+#include <cstdint>
+
 #include "base/diagnostic.h"
 #include "geom/mesh.h"
 #include "scene/object.h"
@@ -30,6 +32,10 @@ inline constexpr std::size_t kMaxTextureSpaces = 8;
 /// Checked: Tessellate.*, Subdivide.*, FreeForm.*
 Mesh tessellate(const scene::Object& object, const scene::ApproximationContext& context,
                 Diagnostics& diagnostics);
+/// The number of triangles that tessellate() makes of the subdivision surfaces of an object,
+/// without making them; some more if faces are trimmed or degenerate.
+std::uint64_t subdivided_triangles(const scene::Object& object,
+                                   const scene::ApproximationContext& context);
 /// Tessellates an object without instance and camera.
 Mesh tessellate(const scene::Object& object, Diagnostics& diagnostics);
 

@@ -2,6 +2,7 @@
 // Interface of the module that contains OpenImageIO, and the search for the module file.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,7 +25,9 @@ class FilesModule {
   /// The content of a file of the type options.type, which must not be empty. In memory, because
   /// the writers ignore some errors of the disk.
   virtual std::string encode(const Image& image, const FileOptions& options) = 0;
-  virtual std::unique_ptr<Texture> open_texture(const std::string& path, float gamma) = 0;
+  /// most_tile_bytes: of a tile or strip of the file, decoded to floats.
+  virtual std::unique_ptr<Texture> open_texture(const std::string& path, float gamma,
+                                                std::uint64_t most_tile_bytes) = 0;
 
   virtual void apply_ocio(Image& image, const OcioTransform& transform) = 0;
 
@@ -32,7 +35,7 @@ class FilesModule {
   virtual TextureStatistics texture_statistics() = 0;
 };
 
-inline constexpr int kFilesModuleVersion = 4;
+inline constexpr int kFilesModuleVersion = 5;
 /// The only exported symbol of the module. It returns null when the version differs. The object is
 /// never destroyed.
 using FilesModuleEntry = FilesModule* (*)(int version);

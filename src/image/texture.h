@@ -98,8 +98,9 @@ class TextureSystem {
   ///
   /// Inputs:  gamma: integer pictures are decoded as value^gamma before filtering, except alpha; 1
   ///          = as stored. Float pictures are not decoded. An sRGB curve is never applied.
+  ///          most_tile_bytes: maximum size of a tile or strip of the file in memory.
   /// Checked: FileTexture.*
-  Opened open(const std::string& path, float gamma = 1);
+  Opened open(const std::string& path, float gamma = 1, std::uint64_t most_tile_bytes = UINT64_MAX);
 
   /// Size of the tile cache in MB (default 1024, minimum 16), shared by all systems of the process.
   /// Takes effect when the next texture is opened.

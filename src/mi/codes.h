@@ -19,12 +19,13 @@ inline constexpr Code kUnclosed = "OR-MI-007";      ///< error: the file ends in
 inline constexpr Code kBadBinary = "OR-MI-008";  ///< error: a binary or pixel block of wrong size
 // Files
 inline constexpr Code kMissingInclude = "OR-MI-010";    ///< warning: include not found
-inline constexpr Code kForbiddenInclude = "OR-MI-011";  ///< warning: outside the allowed folders
+inline constexpr Code kForbiddenInclude = "OR-MI-011";  ///< warning: outside the permitted folders
 inline constexpr Code kIncludeCycle = "OR-MI-012";      ///< error: a file includes itself
 inline constexpr Code kIncludeLimit = "OR-MI-013";      ///< error: includes too deep or too many
-inline constexpr Code kUnreadable = "OR-MI-014";        ///< error: cannot be read, or too large
+inline constexpr Code kUnreadable = "OR-MI-014";        ///< error: cannot be read
 inline constexpr Code kConditional = "OR-MI-015";       ///< warning: $else, $endif out of place
 inline constexpr Code kUnknownDirective = "OR-MI-016";  ///< warning: unknown $ command
+inline constexpr Code kTextBudget = "OR-MI-017";        ///< error: text exceeds its budget
 // Statements
 inline constexpr Code kUnknownStatement = "OR-MI-020";  ///< warning: unknown statement, skipped
 inline constexpr Code kObsolete = "OR-MI-021";          ///< error: frame/view form of version 1.9

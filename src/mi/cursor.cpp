@@ -3,51 +3,71 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "mi/codes.h"
 
 namespace oriel::mi {
-namespace {
-
-std::string canonical_path(const std::filesystem::path& path) {
-  std::error_code error;
-  const auto result = std::filesystem::weakly_canonical(path, error);
-  return error ? std::string() : result.string();
-}
-
-std::string canonical_folder(const std::filesystem::path& path) {
-  return canonical_path(path.empty() ? std::filesystem::path(".") : path);
-}
-
-}  // namespace
-
 Cursor::Cursor(const ReadOptions& options, Diagnostics& diagnostics)
-    : options_(&options), diagnostics_(&diagnostics), variables_(options.variables) {
-  for (const std::string& path : options.include_paths) roots_.push_back(canonical_folder(path));
+    : options_(&options),
+      diagnostics_(&diagnostics),
+      files_(options.files),
+      variables_(options.variables) {
+  for (const std::string& path : options.include_paths) files_.permit(path);
 }
 
 bool Cursor::open(const std::string& path) {
-  std::string reason;
-  auto source = Source::load(path, options_->limits.file_size, reason);
+  OpenFile file = open_regular(path);
+  auto source = load(file, path, {});
   if (!source) {
-    const std::uint32_t file = diagnostics_->add_file(path);
-    std::error_code error;
-    const std::string near = std::filesystem::exists(path, error) ? "" : nearest_file(path);
-    diagnostics_->error(code::kUnreadable, {file, 0, 0},
-                        fmt::format("cannot read {}: {}", path, reason),
-                        near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
     open_text("", path);
     return false;
   }
-  roots_.push_back(canonical_folder(std::filesystem::path(path).parent_path()));
-  push(std::move(source), canonical_path(path), {});
+  permit_folder_of(path);
+  push(std::move(source), file.path(), {});
   return true;
 }
 
+std::unique_ptr<Source> Cursor::load(OpenFile& file, const std::string& path, SourceLocation at) {
+  const bool is_include = at.line > 0;
+  const SourceLocation where = is_include ? at : SourceLocation{diagnostics_->add_file(path), 0, 0};
+  const auto fail = [&](std::string_view code, const std::string& reason, std::string hint) {
+    const std::string message =
+        fmt::format("cannot read {}{}: {}", is_include ? "include " : "", path, reason);
+    if (is_include && code == code::kUnreadable)
+      diagnostics_->warning(code, where, message, std::move(hint));
+    else
+      diagnostics_->error(code, where, message, std::move(hint));
+    return nullptr;
+  };
+  if (!file) {
+    const std::string near =
+        file.fault() == OpenFile::Fault::Missing ? nearest_file(path) : std::string();
+    return fail(code::kUnreadable, file.reason(),
+                near.empty() ? file.hint() : fmt::format("did you mean \"{}\"?", near));
+  }
+  const std::uint64_t most = options_->budgets[Budget::Text];
+  SourceFault fault;
+  auto source = Source::load(file, path,
+                             {.text = most - std::min(totals_->bytes, most),
+                              .expansion = options_->budgets[Budget::Expansion]},
+                             fault);
+  if (source) {
+    totals_->bytes += source->size();
+    return source;
+  }
+  return fault.budget ? fail(code::kTextBudget, options_->budgets.excess(*fault.budget),
+                             SceneBudgets::hint(*fault.budget))
+                      : fail(code::kUnreadable, fault.reason, "");
+}
+
+void Cursor::permit_folder_of(const std::string& path) {
+  files_.permit(std::filesystem::path(path).parent_path().string());
+}
+
 void Cursor::open_text(std::string_view text, std::string name) {
-  roots_.push_back(canonical_folder(std::filesystem::path(name).parent_path()));
   push(Source::from_text(text, std::move(name)), "", {});
 }
 

@@ -21,9 +21,13 @@ namespace oriel::mi {
 class Cursor {
  public:
   Cursor(const ReadOptions& options, Diagnostics& diagnostics);
+  Cursor(const Cursor&) = delete;
+  Cursor& operator=(const Cursor&) = delete;
 
   bool open(const std::string& path);
   void open_text(std::string_view text, std::string name);
+  /// Permits files of the scene in the folder of this file.
+  void permit_folder_of(const std::string& path);
 
   const Token& peek() {
     if (!ready_) fetch();
@@ -54,6 +58,21 @@ class Cursor {
   void drop_lookahead() { ready_ = false; }
   Source& source() { return stack_.back().lexer.source(); }
   std::string folder();  ///< folder of the current file
+  const FileAccess& files() const { return files_; }
+
+  /// Amounts that count against the budgets.
+  struct Totals {
+    std::uint64_t includes = 0, bytes = 0;
+  };
+  bool is_include_budget_spent() const {
+    return totals_->includes >= options_->budgets[Budget::Includes];
+  }
+  /// Reads for the same scene as another cursor, which must outlive this one: with its permissions
+  /// and its totals.
+  void read_for(Cursor& other) {
+    files_ = other.files_;
+    totals_ = other.totals_;
+  }
 
   /// The bytes of the next token if it is a binary block of this size. Otherwise an empty span; a
   /// binary block of another size is reported.
@@ -85,15 +104,14 @@ class Cursor {
     std::string canonical;  // canonical path, to detect cycles; empty for text
     int conditionals = 0;
   };
+  std::unique_ptr<Source> load(OpenFile& file, const std::string& path, SourceLocation at);
   void push(std::unique_ptr<Source> source, std::string canonical, SourceLocation from);
   void pop();
   void fetch();
   void report_problem(const Token& token);
   void directive(const Token& command);
   void include(const Token& command);
-  bool include_allowed(const std::string& canonical) const;
-  std::string find_include(const std::string& name, bool angled, std::string& canonical,
-                           bool& forbidden) const;
+  OpenFile find_include(const std::string& name, bool angled, std::string& path) const;
   bool satisfied_by_package(const std::string& name);
   void conditional(const Token& command);
   void skip_false_branch(SourceLocation from);
@@ -105,9 +123,9 @@ class Cursor {
   std::vector<std::unique_ptr<Source>> finished_;
   Token token_;
   bool ready_ = false;
-  int include_count_ = 0;
-  std::string scene_folder_;  // canonical
-  std::vector<std::string> roots_;
+  Totals own_totals_;
+  Totals* totals_ = &own_totals_;
+  FileAccess files_;
   std::map<std::string, std::string, std::less<>> variables_;
   std::set<std::string, std::less<>> reported_missing_;
   std::vector<std::string> missing_, packages_;

@@ -59,42 +59,40 @@ void Cursor::include(const Token& command) {
 
 void Cursor::include(const std::string& name, bool angled, SourceLocation at) {
   if (satisfied_by_package(name)) return;
-  std::string canonical;
-  bool forbidden = false;
-  const std::string path = find_include(name, angled, canonical, forbidden);
-  const auto missing = [&](std::string_view code, std::string message, std::string hint) {
+  std::string path;
+  OpenFile file = find_include(name, angled, path);
+  if (file.is_refused()) {
     if (!reported_missing_.insert(name).second) return;
     missing_.push_back(name);
-    diagnostics_->warning(code, at, std::move(message), std::move(hint));
-  };
-  if (forbidden)
-    return missing(
-        code::kForbiddenInclude,
-        fmt::format("include \"{}\" lies outside the scene's folder and was not read", name),
-        "add its folder to the include paths if you trust it");
+    diagnostics_->warning(code::kForbiddenInclude, at,
+                          fmt::format("include \"{}\" is not read: {}", name, file.reason()),
+                          file.hint());
+    return;
+  }
   if (path.empty()) {
     if (!reported_missing_.insert(name).second) return;
     missing_.push_back(name);
     unreported_.push_back({name, at});
     return;
   }
-  const bool cycle = std::any_of(stack_.begin(), stack_.end(),
-                                 [&](const Frame& f) { return f.canonical == canonical; });
+  const bool cycle = std::any_of(stack_.begin(), stack_.end(), [&](const Frame& f) {
+    return !f.canonical.empty() && f.canonical == file.path();
+  });
   if (cycle)
     return diagnostics_->error(code::kIncludeCycle, at,
                                fmt::format("\"{}\" includes itself; skipped here", name));
-  if (static_cast<int>(stack_.size()) > options_->limits.include_depth ||
-      ++include_count_ > options_->limits.includes)
-    return diagnostics_->error(
-        code::kIncludeLimit, at,
-        fmt::format("include \"{}\" exceeds the limit of {} nested or {} "
-                    "files in all",
-                    name, options_->limits.include_depth, options_->limits.includes));
-  std::string reason;
-  auto source = Source::load(path, options_->limits.file_size, reason);
-  if (!source)
-    return missing(code::kUnreadable, fmt::format("cannot read include {}: {}", path, reason), "");
-  push(std::move(source), std::move(canonical), at);
+  if (static_cast<int>(stack_.size()) > options_->limits.include_depth)
+    return diagnostics_->error(code::kIncludeLimit, at,
+                               fmt::format("include \"{}\" exceeds the limit of {} nested files",
+                                           name, options_->limits.include_depth));
+  if (++totals_->includes > options_->budgets[Budget::Includes])
+    return diagnostics_->error(code::kIncludeLimit, at,
+                               fmt::format("include \"{}\" is skipped: {}", name,
+                                           options_->budgets.excess(Budget::Includes)),
+                               SceneBudgets::hint(Budget::Includes));
+  auto source = load(file, path, at);
+  if (source) return push(std::move(source), file.path(), at);
+  missing_.push_back(name);
 }
 
 void Cursor::report_missing_includes(bool used) {
@@ -125,31 +123,22 @@ bool Cursor::satisfied_by_package(const std::string& name) {
   return false;
 }
 
-bool Cursor::include_allowed(const std::string& canonical) const {
-  return std::any_of(roots_.begin(), roots_.end(),
-                     [&](const std::string& root) { return scene::lies_below(canonical, root); });
-}
-
-std::string Cursor::find_include(const std::string& name, bool angled, std::string& canonical,
-                                 bool& forbidden) const {
+OpenFile Cursor::find_include(const std::string& name, bool angled, std::string& path) const {
   std::vector<fs::path> folders;
   if (!angled) folders.push_back(fs::path(stack_.back().source->path()).parent_path());
   folders.insert(folders.end(), options_->include_paths.begin(), options_->include_paths.end());
   // A scene is often shipped with its libraries in the same folder, also for <file>.
   if (angled) folders.push_back(fs::path(stack_.back().source->path()).parent_path());
+  OpenFile refused;
   for (const std::string& spelling : scene::spellings_of(name))
     for (const fs::path& folder : folders) {
-      const fs::path path = folder / spelling;
-      std::error_code error;
-      if (!fs::exists(path, error)) continue;
-      canonical = fs::weakly_canonical(path, error).string();
-      if (!error && include_allowed(canonical)) {
-        forbidden = false;
-        return path.string();
-      }
-      forbidden = true;
+      path = (folder / spelling).string();
+      OpenFile file = files_.open(path, FileUse::Scene);
+      if (file || file.fault() == OpenFile::Fault::NotRegular) return file;
+      if (file.is_refused() && !refused.is_refused()) refused = std::move(file);
     }
-  return {};
+  path.clear();
+  return refused;
 }
 
 void Cursor::conditional(const Token& command) {

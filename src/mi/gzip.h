@@ -3,19 +3,33 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 #include <string>
 
+#include "base/file_access.h"
+#include "base/scene_budgets.h"
+
 namespace oriel::mi {
 
-/// Whether the file has the gzip magic number. Rewinds the file.
-bool is_gzip(std::FILE* file);
+/// Maximum sizes of the text of one file.
+struct TextLimits {
+  std::uint64_t text = std::uint64_t{1} << 40;       ///< bytes
+  std::uint64_t expansion = std::uint64_t{1} << 20;  ///< bytes for each compressed byte
+};
+
+/// Why a file cannot be read.
+struct SourceFault {
+  std::string reason;
+  std::optional<Budget> budget;  ///< set if its text exceeds this budget
+};
+
+/// Whether the file has the gzip magic number. Does not move its position.
+bool is_gzip(const OpenFile& file);
 
 /// Returns the decompressed text, or nullopt and the reason if the file is damaged, truncated, or
-/// its text is larger than `max_size` bytes.
+/// its text exceeds the limits. The expansion is limited from 64 MB of text.
 /// Checked: Gzip.*
-std::optional<std::string> read_gzip(const std::string& path, std::uint64_t max_size,
-                                     std::string& reason);
+std::optional<std::string> read_gzip(const OpenFile& file, const TextLimits& limits,
+                                     SourceFault& fault);
 
 }  // namespace oriel::mi

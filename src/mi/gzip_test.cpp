@@ -41,26 +41,36 @@ TEST(Gzip, CompressedSceneEqualsPlainScene) {
   EXPECT_TRUE(packed == read_text(kScene, {}, diagnostics));
 }
 
+std::optional<std::string> read(const GzipFile& file, const TextLimits& limits,
+                                SourceFault& fault) {
+  return read_gzip(open_regular(file.path()), limits, fault);
+}
+
 TEST(Gzip, TruncatedFileIsReported) {
   const GzipFile file(kScene);
   file.cut(9);
-  std::string reason;
-  EXPECT_FALSE(read_gzip(file.path(), 1 << 20, reason));
-  EXPECT_NE(reason.find("damaged"), std::string::npos) << reason;
-}
-
-TEST(Gzip, MissingFileFails) {
-  std::string reason;
-  EXPECT_FALSE(read_gzip(::testing::TempDir() + "missing/scene.mi.gz", 1 << 20, reason));
-  EXPECT_EQ(reason, "cannot be opened");
+  SourceFault fault;
+  EXPECT_FALSE(read(file, {}, fault));
+  EXPECT_NE(fault.reason.find("damaged"), std::string::npos) << fault.reason;
 }
 
 TEST(Gzip, TextAboveTheSizeLimitIsRefused) {
   const GzipFile file(std::string(20 << 20, ' '));
   EXPECT_LT(std::filesystem::file_size(file.path()), 50'000u);
-  std::string reason;
-  EXPECT_FALSE(read_gzip(file.path(), 1 << 20, reason));
-  EXPECT_NE(reason.find("larger"), std::string::npos) << reason;
+  SourceFault fault;
+  EXPECT_FALSE(read(file, {.text = 1 << 20}, fault));
+  EXPECT_EQ(fault.budget, Budget::Text);
+}
+
+// 1028 bytes of text for each byte is more than any scene has; a short text may have it.
+TEST(Gzip, TheExpansionOfLongTextIsLimited) {
+  const GzipFile shorter(std::string(20 << 20, ' '));
+  SourceFault fault;
+  EXPECT_TRUE(read(shorter, {.expansion = 200}, fault));
+  const GzipFile longer(std::string(70 << 20, ' '));
+  EXPECT_FALSE(read(longer, {.expansion = 200}, fault));
+  EXPECT_EQ(fault.budget, Budget::Expansion);
+  EXPECT_EQ(read(longer, {.expansion = 2000}, fault).value_or("").size(), std::size_t{70} << 20);
 }
 
 }  // namespace gzip_test

@@ -92,7 +92,7 @@ TEST_F(Include, CyclesEndWithAMessage) {
 TEST_F(Include, DepthAndNumberAreBounded) {
   for (int i = 0; i < 20; ++i)
     write(fmt::format("f{}.mi", i), include_line(i + 1) + include_line(i + 1));
-  options_.limits.includes = 1000;
+  options_.budgets.set(Budget::Includes, 1000);
   read(write("s.mi", "$include \"f0.mi\"\n"));
   EXPECT_TRUE(diagnostics_.has(code::kIncludeLimit));
 }

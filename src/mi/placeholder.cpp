@@ -39,6 +39,7 @@ Scene read_file(Parse& parse, const PendingPlaceholder& placeholder) {
   Scene scene;
   Parse inner(parse.options, parse.diagnostics);
   inner.scene = &scene;
+  inner.in.read_for(parse.in);
   // Read as an include of the file with the placeholder, for the same folders and limits.
   const std::string text = fmt::format("$include \"{}\"\n", placeholder.file);
   inner.in.open_text(text, std::string(parse.diagnostics.file(placeholder.where.file)));
@@ -117,14 +118,15 @@ void load(Parse& parse, const PendingPlaceholder& placeholder) {
 }  // namespace
 
 void load_placeholders(Parse& parse) {
-  int count = 0;
   for (std::vector<PendingPlaceholder> list = pending_in(parse); !list.empty();
        list = pending_in(parse))
     for (const PendingPlaceholder& placeholder : list) {
-      if (++count > parse.options.limits.includes)
+      if (parse.in.is_include_budget_spent())
         return parse.diagnostics.error(
             code::kIncludeLimit, placeholder.where,
-            fmt::format("more than {} files of placeholders", parse.options.limits.includes));
+            fmt::format("placeholder \"{}\" is not read: {}", placeholder.name,
+                        parse.options.budgets.excess(Budget::Includes)),
+            SceneBudgets::hint(Budget::Includes));
       load(parse, placeholder);
     }
 }

@@ -26,6 +26,7 @@ Reader::Reader(Reader&&) noexcept = default;
 Reader Reader::from_text(std::string_view text, ReadOptions options, Diagnostics& diagnostics,
                          std::string name) {
   auto state = std::make_unique<ReaderState>(std::move(options), diagnostics);
+  state->parse.in.permit_folder_of(name);
   state->parse.in.open_text(text, std::move(name));
   return Reader(std::move(state));
 }
@@ -33,6 +34,8 @@ Reader Reader::from_text(std::string_view text, ReadOptions options, Diagnostics
 bool Reader::next_frame(scene::Scene& scene) {
   Parse& parse = state_->parse;
   parse.scene = &scene;
+  scene.files = parse.in.files();
+  scene.budgets = state_->options.budgets;
   while (!parse.in.at_end())
     if (read_top_level(parse)) return true;
   finish_reading(parse);

@@ -2,7 +2,6 @@
 // Reads mental ray scene files (.mi).
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -17,9 +16,7 @@ namespace oriel::mi {
 
 struct ReadLimits {
   int include_depth = 64;
-  int includes = 100'000;  ///< in total; mutual includes grow exponentially
-  int nesting = 256;       ///< of parameter values, braces and brackets
-  std::uint64_t file_size = std::uint64_t{16} << 30;  ///< per file
+  int nesting = 256;  ///< of parameter values, braces and brackets
 };
 
 struct ReadOptions {
@@ -33,6 +30,10 @@ struct ReadOptions {
   /// The host compiles C code in the scene; suppresses the warning that such code is not run.
   bool trusts_code = false;
   ReadLimits limits;
+  /// Policy for files that the scene names. The reader permits the folder of the scene and the
+  /// include paths.
+  FileAccess files;
+  SceneBudgets budgets;
 };
 
 class ReaderState;
@@ -40,8 +41,8 @@ class ReaderState;
 /// Reads a scene file frame by frame.
 ///
 /// Errors become diagnostics (codes.h) and reading continues: a syntax error affects one element, a
-/// missing include only its contents. The reader never runs code in a file. Included files must be
-/// below the folder of the scene or an include path.
+/// missing include only its contents. The reader never runs code in a file. The scene gets the
+/// policy for files and the budgets (Scene::files, Scene::budgets).
 class Reader {
  public:
   /// Copies `options`. `diagnostics` must outlive the reader.

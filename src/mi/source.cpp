@@ -6,11 +6,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
 
-#include "mi/gzip.h"
 #include "mi/utf16.h"
 
 namespace oriel::mi {
@@ -29,31 +26,25 @@ Source::Source(std::size_t size, std::string path)
   last_ = line_start_ = text_.get();
 }
 
-std::unique_ptr<Source> Source::load(const std::string& path, std::uint64_t max_size,
-                                     std::string& reason) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    reason = error ? error.message() : "not a regular file";
-    return nullptr;
-  }
-  const std::uint64_t size = std::filesystem::file_size(path, error);
-  if (error || size > max_size) {
-    reason = error ? error.message() : "larger than " + std::to_string(max_size) + " bytes";
-    return nullptr;
-  }
-  std::FILE* const file = std::fopen(path.c_str(), "rb");
-  if (!file) {
-    reason = std::strerror(errno);
-    return nullptr;
-  }
+std::unique_ptr<Source> Source::load(OpenFile& file, const std::string& path,
+                                     const TextLimits& limits, SourceFault& fault) {
   if (is_gzip(file)) {
-    std::fclose(file);
-    const std::optional<std::string> text = read_gzip(path, max_size, reason);
+    const std::optional<std::string> text = read_gzip(file, limits, fault);
     return text ? from_text(*text, path) : nullptr;
   }
+  if (file.size() > limits.text) {
+    fault.budget = Budget::Text;
+    return nullptr;
+  }
+  const auto size = static_cast<std::size_t>(file.size());
   auto source = std::unique_ptr<Source>(new Source(size, path));
-  const std::size_t read = std::fread(source->text_.get(), 1, size, file);
-  std::fclose(file);
+  std::size_t read = 0;
+  while (read < size) {
+    const ssize_t got = ::read(file.descriptor(), source->text_.get() + read, size - read);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) break;
+    read += static_cast<std::size_t>(got);
+  }
   source->size_ = read;  // shorter if the file was truncated meanwhile
   std::memset(source->text_.get() + read, 0, kPadding);
   if (is_utf16({source->begin(), source->size()}))

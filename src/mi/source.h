@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/diagnostic.h"
+#include "mi/gzip.h"
 
 namespace oriel::mi {
 
@@ -17,9 +18,9 @@ namespace oriel::mi {
 class Source {
  public:
   /// Reads a file, optionally gzip-compressed. Returns null and a reason if the file is unreadable
-  /// or its text is larger than `max_size`.
-  static std::unique_ptr<Source> load(const std::string& path, std::uint64_t max_size,
-                                      std::string& reason);
+  /// or its text exceeds the limits. `path` is its name in messages.
+  static std::unique_ptr<Source> load(OpenFile& file, const std::string& path,
+                                      const TextLimits& limits, SourceFault& fault);
   static std::unique_ptr<Source> from_text(std::string_view text, std::string path);
   // Both decode UTF-16 with a byte order mark and drop trailing zero bytes.
 

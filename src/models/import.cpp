@@ -218,9 +218,10 @@ std::string lower_suffix(const std::string& path) { return suffix_of(path); }
 
 std::optional<scene::Scene> import_model(const std::string& path, const ImportOptions& options,
                                          Diagnostics& diagnostics) {
-  const ReadModel read = read_model(path, options, diagnostics);
-  if (!read.scene) return std::nullopt;
   ImportOptions known = options;
+  known.files.permit(std::filesystem::path(path).parent_path().string());
+  const ReadModel read = read_model(path, known, diagnostics);
+  if (!read.scene) return std::nullopt;
   if (!known.up && suffix_of(path) == ".stl") known.up = 'z';
   return Builder(*read.scene, path, read.extras, known, diagnostics).build();
 }

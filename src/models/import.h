@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/diagnostic.h"
+#include "base/file_access.h"
 #include "scene/scene.h"
 
 namespace oriel::models {
@@ -25,6 +26,8 @@ struct ImportOptions {
   std::optional<float> seconds;
   /// Factor of the emission of materials; unset: that of the program that wrote the file.
   std::optional<float> emission_scale;
+  /// Policy for files that the model names. The folder of the model is permitted in addition.
+  FileAccess files = {};
 };
 
 /// Names of elements in every imported scene.

@@ -66,9 +66,14 @@ std::optional<std::string> TextureMaker::file_of(const aiScene& model, const std
     // Exporters write backslashes and absolute paths of their own machine.
     const std::string name = scene::with_slashes(written);
     for (const fs::path& candidate :
-         {fs::path(folder_) / name, fs::path(folder_) / fs::path(name).filename()})
-      if (std::error_code error; fs::is_regular_file(candidate, error))
-        return relative(candidate.string());
+         {fs::path(folder_) / name, fs::path(folder_) / fs::path(name).filename()}) {
+      const OpenFile file = options_.files.open(candidate.string(), FileUse::Asset);
+      if (file) return relative(candidate.string());
+      if (file.fault() == OpenFile::Fault::Missing) continue;
+      diagnostics_.warning("OR-MD-025", {},
+                           fmt::format("image \"{}\" is not read: {}", written, file.reason()),
+                           file.hint());
+    }
     return "";
   }
   const fs::path path =

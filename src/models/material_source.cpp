@@ -109,8 +109,10 @@ bool MaterialSource::shows_normals(const std::string& texture) const {
   const auto* element = scene_.get<scene::Texture>(texture);
   if (!element) return false;
   try {
-    const Image image =
-        read_image((std::filesystem::path(element->directory) / element->file).string());
+    const OpenFile file =
+        open_regular((std::filesystem::path(element->directory) / element->file).string());
+    if (!file) return false;
+    const Image image = read_image(file.path());
     if (image.channels < 3 || image.empty()) return false;
     Imath::V3d sum(0);  // of millions of pixels
     for (std::size_t i = 0; i < image.pixels.size(); i += static_cast<std::size_t>(image.channels))

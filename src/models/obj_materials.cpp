@@ -82,22 +82,29 @@ ObjHead read_head(const std::string& path) {
 
 }  // namespace
 
-void mend_obj_materials(aiScene& model, const std::string& path, Diagnostics& diagnostics) {
+void mend_obj_materials(aiScene& model, const std::string& path, ModelFiles& files,
+                        Diagnostics& diagnostics) {
   std::map<std::string, ObjMaterial> materials;
   const ObjHead head = read_head(path);
   if (model.mMetaData && !head.generator.empty())
     model.mMetaData->Add(AI_METADATA_SOURCE_GENERATOR, aiString(head.generator));
   for (const std::string& name : head.material_files) {
     const fs::path beside = fs::path(path).parent_path() / scene::with_slashes(name);
-    std::error_code error;
-    if (!fs::is_regular_file(beside, error)) {
+    OpenFile opened = files.access.open(beside.string(), files.use);
+    if (opened.is_refused() || opened.fault() == OpenFile::Fault::NotRegular) {
+      files.refused.emplace(beside.string(), opened.hint().empty()
+                                                 ? opened.reason()
+                                                 : opened.reason() + "; " + opened.hint());
+      continue;
+    }
+    if (!opened) {
       diagnostics.warning(
           "OR-MD-015", {},
           fmt::format("the material file \"{}\" does not exist; its materials are grey", name),
           "copy it beside the model");
       continue;
     }
-    std::ifstream file(beside);
+    std::istringstream file(opened.read());
     read_materials(file, materials);
   }
   for (unsigned i = 0; i < model.mNumMaterials; ++i) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/diagnostic.h"
+#include "models/text_files.h"
 
 struct aiScene;
 
@@ -20,9 +21,11 @@ namespace oriel::models {
 ///          for glass (`illum` 4, 6, 7, 9) or beside roughness and metalness (Pr, Pm) as Blender
 ///          writes it: other writers put `Tf 1 1 1` on opaque materials.
 /// Inputs:  path: of the OBJ file, which its material files are relative to.
-/// Errors:  OR-MD-015 material files that do not exist.
+/// Errors:  OR-MD-015 material files that do not exist. Files that may not be read are added to
+///          `files`.
 /// Source:  Wavefront, "Advanced Visualizer Manual", appendix B1; what Blender 3.4 writes.
 /// Checked: ImportedPanes.ObjDissolveAndFilterPassTheSun
-void mend_obj_materials(aiScene& model, const std::string& path, Diagnostics& diagnostics);
+void mend_obj_materials(aiScene& model, const std::string& path, ModelFiles& files,
+                        Diagnostics& diagnostics);
 
 }  // namespace oriel::models

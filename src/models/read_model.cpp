@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/read_model.h"
-#include "models/area_lights.h"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -13,6 +12,7 @@
 #include <fstream>
 
 #include "base/file_text.h"
+#include "models/area_lights.h"
 #include "models/gltf/read.h"
 #include "models/ifc_text.h"
 #include "models/import_view.h"
@@ -66,6 +66,24 @@ TextFiles::Rewrite rewriting(const std::string& suffix, const ImportOptions& opt
   return {};
 }
 
+/// Reports at its end which files were not read.
+class RefusedFiles {
+ public:
+  RefusedFiles(const ModelFiles& files, Diagnostics& diagnostics)
+      : files_(files), diagnostics_(diagnostics) {}
+  ~RefusedFiles() {
+    for (const auto& [file, reason] : files_.refused)
+      diagnostics_.warning("OR-MD-025", {},
+                           fmt::format("file \"{}\" of the model is not read: {}", file, reason));
+  }
+  RefusedFiles(const RefusedFiles&) = delete;
+  RefusedFiles& operator=(const RefusedFiles&) = delete;
+
+ private:
+  const ModelFiles& files_;
+  Diagnostics& diagnostics_;
+};
+
 /// Why assimp could not read a file.
 std::string reason_of(const std::string& error) {
   if (error.find("mNumMeshes is 0") != error.npos || error == "No meshes remaining")
@@ -102,16 +120,19 @@ ReadModel read_model(const std::string& path, const ImportOptions& options,
                       "File > Export > glTF 2.0 with cameras and punctual lights");
     return result;
   }
-  const std::string truncation = truncation_of(path, suffix);
+  ModelFiles files{options.files, path, is_gltf(suffix) ? FileUse::Asset : FileUse::Scene};
+  const RefusedFiles refused(files, diagnostics);
+  const std::string truncation = truncation_of(path, suffix, files);
   // A glTF text may have another fault that its reader names.
   if (!truncation.empty() && suffix != ".gltf") return unreadable(truncation);
   Assimp::Importer importer;
   set_up(importer);
   IfcText ifc;
-  importer.SetIOHandler(new TextFiles(rewriting(suffix, options, ifc)));
+  importer.SetIOHandler(new TextFiles(files, rewriting(suffix, options, ifc)));
   if (is_gltf(suffix)) {
-    GltfModel gltf = read_gltf(importer, path, steps, {options.aspect.value_or(0), options.seconds},
-                               diagnostics);
+    GltfModel gltf =
+        read_gltf(importer, path, steps,
+                  {options.aspect.value_or(0), options.seconds, options.files}, diagnostics);
     if (!gltf.scene) {
       const bool is_nested = gltf.error.find("nested") != gltf.error.npos;
       return unreadable(truncation.empty() || is_nested ? reason_of(gltf.error) : truncation);
@@ -125,7 +146,7 @@ ReadModel read_model(const std::string& path, const ImportOptions& options,
   }
   bool read = importer.ReadFile(path, steps) != nullptr;
   if (!read && suffix == ".dae") {
-    importer.SetIOHandler(new TextFiles([&](const std::string& text) {
+    importer.SetIOHandler(new TextFiles(files, [&](const std::string& text) {
       return without_blanks_before_numbers(with_whole_cameras(text, aspect_of(options)));
     }));
     read = importer.ReadFile(path, steps) != nullptr;
@@ -142,7 +163,7 @@ ReadModel read_model(const std::string& path, const ImportOptions& options,
     widen_narrow_cameras(*model, diagnostics);
   }
   halve_cones(*model, suffix);
-  if (suffix == ".obj") mend_obj_materials(*model, path, diagnostics);
+  if (suffix == ".obj") mend_obj_materials(*model, path, files, diagnostics);
   mend_area_lights(*model, suffix, suffix == ".dae" ? utf8_of(file_text(path)) : "", diagnostics);
   mend_light_units(*model, suffix, options.emission_scale, diagnostics);
   if (suffix == ".3ds") mend_views_3ds(*model, file_text(path));

@@ -3,14 +3,13 @@
 
 #include <assimp/MemoryIOWrapper.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <optional>
 
-#include "base/file_text.h"
 #include "base/math.h"
 #include "base/vec.h"
 
@@ -40,10 +39,10 @@ bool is_utf16(std::string_view bytes) {
 }
 
 /// Reads only the byte order mark.
-bool is_utf16_file(const char* file) {
+bool is_utf16_file(const OpenFile& file) {
   char mark[2] = {};
-  std::ifstream(file, std::ios::binary).read(mark, sizeof mark);
-  return is_utf16({mark, sizeof mark});
+  return ::pread(file.descriptor(), mark, sizeof mark, 0) == sizeof mark &&
+         is_utf16({mark, sizeof mark});
 }
 
 /// An element <name ...>number</name>: where it is and its number.
@@ -152,15 +151,29 @@ std::string with_whole_cameras(std::string_view xml, float aspect) {
   }
 }
 
+OpenFile TextFiles::open(const std::string& file) const {
+  return file == files_.model ? open_regular(file) : files_.access.open(file, files_.use);
+}
+
+bool TextFiles::Exists(const char* file) const { return file && bool(open(file)); }
+
 Assimp::IOStream* TextFiles::Open(const char* file, const char* mode) {
-  const bool utf16 = is_utf16_file(file);
-  if (!mode || std::strchr(mode, 'w') || !(utf16 || rewrite_))
-    return DefaultIOSystem::Open(file, mode);
+  if (!file || !mode || std::strpbrk(mode, "wa+")) return nullptr;
+  OpenFile opened = open(file);
+  if (!opened) {
+    if (opened.fault() != OpenFile::Fault::Missing)
+      files_.refused.emplace(
+          file, opened.hint().empty() ? opened.reason() : opened.reason() + "; " + opened.hint());
+    return nullptr;
+  }
+  // By the path without links: assimp asks for the size by path later.
+  if (!rewrite_ && !is_utf16_file(opened))
+    return DefaultIOSystem::Open(opened.path().c_str(), mode);
   auto found = changed_.find(file);
   if (found == changed_.end()) {
-    std::string text = utf8_of(file_text(file));
+    std::string text = utf8_of(opened.read());
     if (rewrite_) text = rewrite_(text);
-    if (text.empty()) return DefaultIOSystem::Open(file, mode);
+    if (text.empty()) return DefaultIOSystem::Open(opened.path().c_str(), mode);
     found = changed_.emplace(file, std::move(text)).first;
   }
   const std::string& text = found->second;

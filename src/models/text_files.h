@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/file_access.h"
+
 namespace oriel::models {
 
 /// Converts UTF-16 with a byte order mark (either order) to UTF-8 without one; lone surrogates and
@@ -29,16 +31,34 @@ std::string without_blanks_before_numbers(std::string_view xml);
 /// <perspective>. Checked: ModelCamera.ColladaKeepsTheAnglesThatItDefines
 std::string with_whole_cameras(std::string_view xml, float aspect);
 
-/// Opens files for assimp, which gives UTF-16 to readers that do not know it.
+/// Files that a model may read, and those that were refused.
+struct ModelFiles {
+  FileAccess access;
+  std::string model;  ///< path of the model, which may lie anywhere
+  FileUse use = FileUse::Scene;
+  std::map<std::string, std::string> refused = {};  ///< reasons and hints by name
+};
+
+/// Opens files for assimp: regular files that the policy permits, for reading only. It gives UTF-16
+/// to readers that do not know it.
+/// Checked: ModelTextFiles.*, Confinement.* in tests/faults/confinement_test.cpp
 class TextFiles : public Assimp::DefaultIOSystem {
  public:
   using Rewrite = std::function<std::string(const std::string& text)>;
 
-  /// Inputs:  rewrite: returns what is read in place of the text of a file; null: the same.
-  explicit TextFiles(Rewrite rewrite = {}) : rewrite_(std::move(rewrite)) {}
+  /// Inputs:  files: must outlive this object. rewrite: returns what is read in place of the text
+  ///          of a file; null: the same.
+  explicit TextFiles(ModelFiles& files, Rewrite rewrite = {})
+      : files_(files), rewrite_(std::move(rewrite)) {}
+  bool Exists(const char* file) const override;
   Assimp::IOStream* Open(const char* file, const char* mode) override;
+  bool CreateDirectory(const std::string&) override { return false; }
+  bool DeleteFile(const std::string&) override { return false; }
 
  private:
+  OpenFile open(const std::string& file) const;
+
+  ModelFiles& files_;
   Rewrite rewrite_;
   std::map<std::string, std::string> changed_;  ///< text by file; streams read from it
 };

@@ -254,7 +254,7 @@ bool breaks_off(const std::string& tail) {
   return values < least_values(keyword) || word == "-" || word.ends_with('/');
 }
 
-std::string obj(const std::string& path, const Ends& ends) {
+std::string obj(const std::string& path, const Ends& ends, const ModelFiles& files) {
   if (breaks_off(ends.tail)) return "the file is truncated: its last line is incomplete";
   std::istringstream lines(ends.head);
   for (std::string line; std::getline(lines, line);) {
@@ -262,9 +262,9 @@ std::string obj(const std::string& path, const Ends& ends) {
     if (!line.starts_with(kLibrary)) continue;
     const std::string name(without_tail_blanks(std::string_view(line).substr(kLibrary.size())));
     const fs::path library = fs::path(path).parent_path() / name;
-    std::error_code error;
-    if (!fs::is_regular_file(library, error)) continue;  // reported elsewhere
-    const Ends material = ends_of(library.string());
+    const OpenFile opened = files.access.open(library.string(), files.use);
+    if (!opened) continue;  // reported elsewhere
+    const Ends material = ends_of(opened.descriptor_path());
     if (material.size == 0) return fmt::format("its material file '{}' is empty", name);
     constexpr std::size_t kSmallest = 6;  // assimp refuses smaller files
     if (material.size < kSmallest || breaks_off(material.tail))
@@ -275,7 +275,8 @@ std::string obj(const std::string& path, const Ends& ends) {
 
 }  // namespace
 
-std::string truncation_of(const std::string& path, const std::string& suffix) {
+std::string truncation_of(const std::string& path, const std::string& suffix,
+                          const ModelFiles& files) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return {};
   const Ends ends = ends_of(path);
@@ -295,7 +296,7 @@ std::string truncation_of(const std::string& path, const std::string& suffix) {
   if (suffix == ".3ds") return chunks_3ds(ends);
   if (suffix == ".fbx") return fbx(path, ends);
   if (suffix == ".ply") return ply(path);
-  if (suffix == ".obj") return obj(path, ends);
+  if (suffix == ".obj") return obj(path, ends, files);
   return {};
 }
 

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "models/text_files.h"
+
 namespace oriel::models {
 
 /// Why a model file is incomplete, as the end of a sentence; empty if it appears to be complete.
@@ -13,6 +15,7 @@ namespace oriel::models {
 ///          (OBJ and its material files). An OBJ file cut at the end of a line is a valid file.
 /// Inputs:  suffix: in lower case, with its dot. GLB files and buffers of glTF: see gltf/read.h.
 /// Checked: TruncatedModels.*
-std::string truncation_of(const std::string& path, const std::string& suffix);
+std::string truncation_of(const std::string& path, const std::string& suffix,
+                          const ModelFiles& files);
 
 }  // namespace oriel::models

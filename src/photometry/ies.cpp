@@ -7,7 +7,6 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 namespace oriel::photometry {
 namespace {
@@ -160,19 +159,20 @@ double read_tilt(const std::string& tilt, Reader& in, const std::string& folder,
   if (kind == "INCLUDE") return tilt_factor(in);
   // Only the base name: a profile must not refer to files elsewhere.
   const std::string name = tilt.substr(tilt.find_last_of("/\\:") + 1);
-  std::ifstream file;
-  if (!folder.empty() || name == tilt)
-    file.open(std::filesystem::path(folder) / name, std::ios::binary);
-  if (folder.empty() || !file) {
+  FileAccess files;  // a link must not lead elsewhere
+  files.set_untrusted(true);
+  files.permit(folder);
+  OpenFile file;
+  if (!folder.empty())
+    file = files.open((std::filesystem::path(folder) / name).string(), FileUse::Asset);
+  if (!file) {
     report.notes.push_back(
         fmt::format("the TILT file \"{}\" is not in the folder of the profile; its factors "
                     "are assumed to be 1",
                     name));
     return 1;
   }
-  std::string text(std::size_t{1} << 16, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
+  const std::string text = file.read(std::size_t{1} << 16);
   Reader factors(text);
   try {
     return tilt_factor(factors);

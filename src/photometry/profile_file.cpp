@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
 
 #include "photometry/eulumdat.h"
@@ -21,17 +20,14 @@ constexpr double kMaxCandela = 1e12;
 /// Planes with a smaller difference in degrees are identical.
 constexpr float kSamePlane = 1e-3f;
 
-std::string read_text(const std::string& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw ProfileError(0, "the path is a folder", "name a photometric file (.ies or .ldt)");
-  std::ifstream file(path, std::ios::binary);
+std::string read_text(OpenFile& file) {
+  if (file.fault() == OpenFile::Fault::NotRegular)
+    throw ProfileError(0, file.reason(), "name a photometric file (.ies or .ldt)");
+  if (file.is_refused()) throw ProfileError(0, file.reason(), file.hint());
   if (!file)
     throw ProfileError(0, "the file does not exist or is not readable",
                        "check the file name and folder");
-  std::string text(kMaxProfileBytes + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
+  std::string text = file.read(kMaxProfileBytes + 1);
   if (text.size() > kMaxProfileBytes)
     throw ProfileError(0, fmt::format("it is larger than {} MB", kMaxProfileBytes >> 20),
                        "photometric files are much smaller; check the file");
@@ -50,11 +46,17 @@ ProfileFormat format_of(std::string_view text) {
 }  // namespace
 
 ProfileData read_profile(const std::string& path, ProfileFormat format, Turn turn) {
-  const std::string text = read_text(path);
+  OpenFile file = open_regular(path);
+  return read_profile(file, format, turn);
+}
+
+ProfileData read_profile(OpenFile& file, ProfileFormat format, Turn turn) {
+  const std::string text = read_text(file);
   if (format == ProfileFormat::ByContent) format = format_of(text);
-  ProfileData data = format == ProfileFormat::Ies
-                         ? parse_ies(text, std::filesystem::path(path).parent_path().string())
-                         : parse_eulumdat(text);
+  ProfileData data =
+      format == ProfileFormat::Ies
+          ? parse_ies(text, std::filesystem::path(file.path()).parent_path().string())
+          : parse_eulumdat(text);
   // Seen from above, azimuths are clockwise in types A and B and counter-clockwise in type C.
   const Turn natural = data.report.type == 'C' ? Turn::CounterClockwise : Turn::Clockwise;
   if (turn != Turn::AsFormat && turn != natural) {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/file_access.h"
 #include "photometry/light_profile.h"
 
 namespace oriel::photometry {
@@ -51,6 +52,9 @@ enum class Turn : std::uint8_t { AsFormat, Clockwise, CounterClockwise };
 /// Checked: IesFile.*, EulumdatFile.*, ProfileFile.*
 ProfileData read_profile(const std::string& path, ProfileFormat format = ProfileFormat::ByContent,
                          Turn turn = Turn::AsFormat);
+/// Reads an opened file, with its TILT file in the same folder. If opening failed, the error has
+/// the reason.
+ProfileData read_profile(OpenFile& file, ProfileFormat format, Turn turn);
 
 inline constexpr std::size_t kMaxProfileBytes = std::size_t{16} << 20;
 /// Maximum number of angles in one direction, and of intensities in total.

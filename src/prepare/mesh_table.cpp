@@ -1,12 +1,74 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prepare/mesh_table.h"
 
+#include <fmt/format.h>
+
+#include <atomic>
+
 #include "base/parallel.h"
 #include "geom/motion.h"
 #include "geom/tessellate.h"
 #include "prepare/refine_displacement.h"
 
 namespace oriel {
+namespace {
+
+/// Surfaces that are tessellated by approximations.
+std::size_t surfaces_of(const scene::Object& object) {
+  std::size_t count = 0;
+  for (const scene::PolygonGroup& group : object.groups)
+    count += group.subdivisions.size() + group.freeform.surfaces.size();
+  return count;
+}
+
+/// Triangles that the polygons of an object have without approximations.
+std::size_t triangles_in_file(const scene::Object& object) {
+  std::size_t count = 0;
+  for (const scene::PolygonGroup& group : object.groups)
+    count += group.polygons.indices.size() -
+             std::min(group.polygons.indices.size(), 2 * group.polygons.size());
+  return count;
+}
+
+/// Triangles that displacement may add. The meshes are refined in order; each may take all that is
+/// left, except for a small share of the later ones.
+class RefinementBudget {
+ public:
+  RefinementBudget(std::uint64_t most, std::uint64_t used, const std::vector<MeshVariant>& variants)
+      : left_(most - std::min(most, used)) {
+    for (const MeshVariant& v : variants) later_ += !v.displacement.empty();
+    constexpr std::uint64_t kShare = 65536;
+    share_ = later_ > 0 ? std::min(kShare, left_ / later_) : 0;
+  }
+  std::size_t next() const {
+    const std::uint64_t others = later_ > 1 ? (later_ - 1) * share_ : 0;
+    return static_cast<std::size_t>(left_ - std::min(left_, others));
+  }
+  void take(const geom::Mesh& mesh, const MeshVariant& variant) {
+    if (variant.displacement.empty()) return;
+    --later_;
+    left_ -= std::min<std::uint64_t>(left_, mesh.triangles.size());
+  }
+  void count_limited(const scene::Object& object) {
+    if (limited_++ == 0) first_ = &object;
+  }
+  void report(const SceneBudgets& budgets, Diagnostics& diagnostics) const {
+    if (limited_ == 0) return;
+    diagnostics.warning(
+        "OR-RN-081", first_->where,
+        fmt::format("the displacement of {} object(s), of \"{}\" first, requests {}; "
+                    "they are refined less",
+                    limited_, first_->name, budgets.excess(Budget::Triangles)),
+        SceneBudgets::hint(Budget::Triangles));
+  }
+
+ private:
+  std::uint64_t left_, share_ = 0;
+  std::size_t later_ = 0, limited_ = 0;
+  const scene::Object* first_ = nullptr;
+};
+
+}  // namespace
 
 MeshTable::MeshTable(const scene::Scene& scene, TessellationPlan plan, World& world,
                      GeometryCache& cache, Diagnostics& diagnostics)
@@ -24,9 +86,55 @@ MeshTable::MeshTable(const scene::Scene& scene, TessellationPlan plan, World& wo
   meshes_.resize(size());
   kept_.resize(size());
   for (std::size_t i = 0; i < size(); ++i) kept_[i] = kept_mesh(plan_.jobs[i]);
+  const std::uint64_t most = world.budgets[Budget::Triangles];
+  if (subdivided() <= most && make_all(most, diagnostics)) return;
+  limit_surfaces();
+  make_all(UINT64_MAX, diagnostics);
+}
+
+std::uint64_t MeshTable::subdivided() const {
+  std::atomic<std::uint64_t> sum = 0;
   parallel_for(size(), [&](std::size_t i) {
-    if (!kept_[i]) meshes_[i] = make(i);
+    if (!kept_[i] && surfaces_of(*plan_.jobs[i].object) > 0)
+      sum += geom::subdivided_triangles(*plan_.jobs[i].object, plan_.jobs[i].context);
   });
+  return sum;
+}
+
+bool MeshTable::make_all(std::uint64_t most, Diagnostics& diagnostics) {
+  // The sum decides, not the order: the result does not depend on the threads.
+  std::atomic<std::uint64_t> generated = 0;
+  parallel_for(size(), [&](std::size_t i) {
+    if (kept_[i] || generated > most) return;
+    meshes_[i] = make(i, diagnostics);
+    if (surfaces_of(*plan_.jobs[i].object) == 0) return;
+    const std::size_t written = triangles_in_file(*plan_.jobs[i].object);
+    const std::size_t all = meshes_[i].triangles.size();
+    generated += all - std::min(all, written);
+  });
+  generated_ = generated;
+  return generated <= most;
+}
+
+void MeshTable::limit_surfaces() {
+  const std::uint64_t most = world_.budgets[Budget::Triangles];
+  std::size_t surfaces = 0;
+  const scene::Object* first = nullptr;
+  for (const TessellationJob& job : plan_.jobs) {
+    surfaces += surfaces_of(*job.object);
+    if (!first && surfaces > 0) first = job.object;
+  }
+  const std::size_t each = std::max<std::size_t>(most / surfaces, 2);
+  for (std::size_t i = 0; i < size(); ++i) {
+    plan_.jobs[i].context.most_triangles = each;
+    meshes_[i] = {};
+  }
+  diagnostics_.warning(
+      "OR-RN-080", first->where,
+      fmt::format("{} subdivision and free-form surfaces, of object \"{}\" first, request {}; each "
+                  "is limited to {}",
+                  surfaces, first->name, world_.budgets.excess(Budget::Triangles), each),
+      SceneBudgets::hint(Budget::Triangles));
 }
 
 const std::vector<geom::MaterialSlot>& MeshTable::slots(std::size_t job) const {
@@ -36,6 +144,7 @@ const std::vector<geom::MaterialSlot>& MeshTable::slots(std::size_t job) const {
 void MeshTable::add(std::vector<MeshVariant>& variants, PrepareReport& report) {
   std::vector<std::size_t> uses(size());
   for (const MeshVariant& v : variants) ++uses[v.job];
+  RefinementBudget left(world_.budgets[Budget::Triangles], generated_, variants);
   std::map<std::string, std::vector<GeometryCache::Form>, std::less<>> forms;
   cache_.reused = 0;
   for (MeshVariant& v : variants) {
@@ -46,11 +155,13 @@ void MeshTable::add(std::vector<MeshVariant>& variants, PrepareReport& report) {
       v.id = *kept_[v.job];
       ++cache_.reused;
     } else {
-      geom::Mesh mesh = kept_[v.job] ? make(v.job)
+      geom::Mesh mesh = kept_[v.job] ? make(v.job, diagnostics_)
                         : last       ? std::move(meshes_[v.job])
                                      : meshes_[v.job];
-      refine_for_displacement(mesh, v.displacement, *v.first, plan_.jobs[v.job].context, world_,
-                              diagnostics_);
+      if (!refine_for_displacement(mesh, v.displacement, *v.first, plan_.jobs[v.job].context,
+                                   world_, left.next(), diagnostics_))
+        left.count_limited(*plan_.jobs[v.job].object);
+      left.take(mesh, v);
       displace(mesh, v.displacement, *v.first, world_, diagnostics_);
       v.id = world_.accel->add_mesh(with_keys(std::move(mesh)));
     }
@@ -61,13 +172,15 @@ void MeshTable::add(std::vector<MeshVariant>& variants, PrepareReport& report) {
     form.mesh = v.id;
     forms[plan_.jobs[v.job].object->name].push_back(std::move(form));
   }
+  left.report(world_.budgets, diagnostics_);
   cache_.forms = std::move(forms);
   cache_.shutter = world_.shutter;
   cache_.hair = world_.options.hair;
 }
 
 void MeshTable::commit() {
-  world_.accel->commit([this](geom::MeshId id) { return with_keys(make(plain_.at(id))); });
+  world_.accel->commit(
+      [this](geom::MeshId id) { return with_keys(make(plain_.at(id), diagnostics_)); });
 }
 
 GeometryCache::Form MeshTable::form_of(const TessellationJob& job) const {
@@ -90,9 +203,8 @@ std::optional<geom::MeshId> MeshTable::kept_mesh(const TessellationJob& job) con
   return std::nullopt;
 }
 
-geom::Mesh MeshTable::make(std::size_t job) const {
-  geom::Mesh mesh =
-      geom::tessellate(*plan_.jobs[job].object, plan_.jobs[job].context, diagnostics_);
+geom::Mesh MeshTable::make(std::size_t job, Diagnostics& diagnostics) const {
+  geom::Mesh mesh = geom::tessellate(*plan_.jobs[job].object, plan_.jobs[job].context, diagnostics);
   if (!world_.options.hair) mesh.curves = {};
   return mesh;
 }

@@ -42,7 +42,14 @@ class MeshTable {
  private:
   GeometryCache::Form form_of(const TessellationJob& job) const;
   std::optional<geom::MeshId> kept_mesh(const TessellationJob& job) const;
-  geom::Mesh make(std::size_t job) const;
+  /// Triangles of subdivision surfaces, which are known before they are made.
+  std::uint64_t subdivided() const;
+  /// Tessellates all objects that are not reused. Returns false and stops as soon as their
+  /// surfaces have more than `most` triangles.
+  bool make_all(std::uint64_t most, Diagnostics& diagnostics);
+  /// Limits all surfaces, so that together they stay within the budget.
+  void limit_surfaces();
+  geom::Mesh make(std::size_t job, Diagnostics& diagnostics) const;
   geom::Mesh with_keys(geom::Mesh mesh) const;
 
   const scene::Scene& scene_;
@@ -53,6 +60,7 @@ class MeshTable {
   std::vector<geom::Mesh> meshes_;                 // of the jobs that are not reused
   std::vector<std::optional<geom::MeshId>> kept_;  // from the previous frame
   std::map<geom::MeshId, std::size_t> plain_;      // jobs of undisplaced meshes
+  std::uint64_t generated_ = 0;                    // triangles that are not in the file
 };
 
 }  // namespace oriel

@@ -103,6 +103,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
                                Diagnostics& diagnostics, PrepareReport& report) {
   auto world = std::make_unique<World>();
   world->coarse_tables = options.coarse_tables;
+  world->budgets = scene.budgets;
   world->sample_light = sample_light;
   if (const auto* block = scene.get<scene::Options>(command.options))
     world->options = scene::interpret_options(*block, diagnostics);
@@ -114,7 +115,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   world->shutter = scene::shutter_of(world->options.motion);
   if (world->options.geometry) make_geometry(scene, world->options, registry, diagnostics);
   const std::vector<scene::Leaf> leaves =
-      scene::flatten(scene, command.root, diagnostics, {},
+      scene::flatten(scene, command.root, diagnostics, {.leaves = scene.budgets[Budget::Instances]},
                      scene::photon_flags(world->options.caustic.object_flags,
                                          world->options.globillum.object_flags));
   const scene::Camera* camera = nullptr;

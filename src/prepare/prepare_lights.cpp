@@ -112,6 +112,7 @@ Light place_light(const scene::Leaf& leaf, const std::vector<scene::Leaf>& leave
   const scene::Light& element = *leaf.light();
   Light light;
   light.name = leaf.instance().name;
+  light.where = leaf.light()->where;
   light.to_local = leaf.world_to_local;
   light.to_world = leaf.local_to_world;
   light.position = transform_point(element.origin.value_or(Vec3(0)), light.to_world);

@@ -41,8 +41,12 @@ class DisplacementRefiner {
  public:
   DisplacementRefiner(geom::Mesh& mesh, const Displacement& displacement,
                       const std::vector<Approximation>& approximations,
-                      const scene::TessellationView& view)
-      : mesh_(mesh), displacement_(displacement), approximations_(approximations), view_(view) {}
+                      const scene::TessellationView& view, std::size_t limit)
+      : mesh_(mesh),
+        displacement_(displacement),
+        approximations_(approximations),
+        view_(view),
+        limit_(limit) {}
 
   /// displaced(copy) moves the vertices of a copy of the mesh. False: the limit of triangles would
   /// be exceeded.
@@ -61,7 +65,7 @@ class DisplacementRefiner {
                            [&](const Approximation& ap) { return is_coarse(ap, done, a, b); });
       };
       // Limits of the scene itself are not reported.
-      if (!splitter.pass(wants, most)) return !splitter.exceeded || most < kMaxMicroTriangles;
+      if (!splitter.pass(wants, most)) return !splitter.exceeded || most < limit_;
     }
     return true;
   }
@@ -73,9 +77,9 @@ class DisplacementRefiner {
   std::size_t most_triangles() const {
     std::size_t most = 0;
     for (const Approximation& a : approximations_)
-      most = std::max(most, a.max_triangles > 0 ? static_cast<std::size_t>(a.max_triangles)
-                                                : kMaxMicroTriangles);
-    return std::min(most, kMaxMicroTriangles);
+      most =
+          std::max(most, a.max_triangles > 0 ? static_cast<std::size_t>(a.max_triangles) : limit_);
+    return std::min(most, limit_);
   }
 
   bool measures_shape() const {
@@ -121,33 +125,37 @@ class DisplacementRefiner {
   const Displacement& displacement_;
   const std::vector<Approximation>& approximations_;
   const scene::TessellationView& view_;
+  const std::size_t limit_;
   geom::Mesh shape_;  // displaced, at the last measurement
 };
 
 }  // namespace
 
-void refine_for_displacement(geom::Mesh& mesh, const Displacement& displacement,
+bool refine_for_displacement(geom::Mesh& mesh, const Displacement& displacement,
                              const scene::Leaf& leaf, const scene::ApproximationContext& context,
-                             const World& world, Diagnostics& diagnostics) {
-  if (displacement.empty() || mesh.triangles.empty()) return;
+                             const World& world, std::size_t most, Diagnostics& diagnostics) {
+  if (displacement.empty() || mesh.triangles.empty()) return true;
   const scene::Object& object = *leaf.object();
   const std::vector<Approximation> approximations = approximations_of(object, context);
-  if (approximations.empty()) return;
+  if (approximations.empty()) return true;
   if (std::all_of(approximations.begin(), approximations.end(),
                   [](const Approximation& a) { return a.smooth; }))
     geom::add_facet_normals(mesh);
-  DisplacementRefiner refiner(mesh, displacement, approximations, context.view);
+  const std::size_t limit = std::min(most, kMaxMicroTriangles);
+  DisplacementRefiner refiner(mesh, displacement, approximations, context.view, limit);
   const bool whole = refiner.run([&](geom::Mesh& copy) {
     Diagnostics unheard;
     displace(copy, displacement, leaf, world, unheard);
   });
-  if (!whole)
-    diagnostics.warning(
-        "OR-RN-032", object.where,
-        fmt::format("object \"{}\": its displacement would take more than {} triangles; it stays "
-                    "at {}",
-                    object.name, kMaxMicroTriangles, mesh.triangles.size()),
-        "ask for less in `approximate displace`");
+  if (whole) return true;
+  if (limit < kMaxMicroTriangles) return false;
+  diagnostics.warning(
+      "OR-RN-032", object.where,
+      fmt::format("object \"{}\": its displacement would take more than {} triangles; it stays "
+                  "at {}",
+                  object.name, kMaxMicroTriangles, mesh.triangles.size()),
+      "ask for less in `approximate displace`");
+  return true;
 }
 
 }  // namespace oriel

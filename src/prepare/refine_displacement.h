@@ -23,10 +23,12 @@ inline constexpr std::size_t kMaxMicroTriangles = std::size_t{8} << 20;
 ///          `nosmoothing` the result is faceted. `max N`: no halving that would make more than N
 ///          triangles of the mesh. Without approximation nothing changes.
 /// Inputs:  leaf: as for displace(). All instances of a mesh share its displacement.
-/// Errors:  OR-RN-032 if kMaxMicroTriangles would be exceeded; the mesh keeps its last refinement.
-/// Checked: DisplacementDetail.*
-void refine_for_displacement(geom::Mesh& mesh, const Displacement& displacement,
+///          most: maximum number of triangles, by the budget of the scene.
+/// Returns: false if `most` would be exceeded; the mesh keeps its last refinement.
+/// Errors:  OR-RN-032 if kMaxMicroTriangles would be exceeded; the same.
+/// Checked: DisplacementDetail.*, Budget.*
+bool refine_for_displacement(geom::Mesh& mesh, const Displacement& displacement,
                              const scene::Leaf& leaf, const scene::ApproximationContext& context,
-                             const World& world, Diagnostics& diagnostics);
+                             const World& world, std::size_t most, Diagnostics& diagnostics);
 
 }  // namespace oriel

@@ -37,6 +37,7 @@ PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std
   settings.merge_caustic = options.caustic.merge;
   settings.by_energy = !plan.by_name;
   settings.seed = seed;
+  settings.most = world.budgets[Budget::Photons];
   return settings;
 }
 
@@ -61,9 +62,23 @@ void note_lights_without_energy(const World& world, const PhotonSettings& settin
       "give it an energy statement; --gi photons sends photons as strong as the light");
 }
 
+/// Reports that the lights request more photons than their budget.
+void note_photon_budget(const World& world, const PhotonSettings& settings,
+                        Diagnostics& diagnostics) {
+  const Light* largest = nullptr;
+  const std::uint64_t wanted = requested_photons(world, settings, &largest);
+  if (wanted <= settings.most) return;
+  diagnostics.warning(
+      "OR-RN-083", largest ? largest->where : SourceLocation{},
+      fmt::format("{}; all lights store fewer{}", world.budgets.excess(Budget::Photons, wanted),
+                  largest ? fmt::format(", first of all \"{}\"", largest->name) : std::string()),
+      SceneBudgets::hint(Budget::Photons, wanted));
+}
+
 /// Empty if the photon map cannot be read.
-std::optional<PhotonMaps> read_photons(const std::string& file, Diagnostics& diagnostics) try {
-  return load_photon_maps(file);
+std::optional<PhotonMaps> read_photons(const std::string& file, const World& world,
+                                       Diagnostics& diagnostics) try {
+  return load_photon_maps(file, world.budgets[Budget::MapPoints]);
 } catch (const std::exception& e) {
   diagnostics.warning("OR-RN-042", {}, e.what());
   return std::nullopt;
@@ -119,13 +134,14 @@ void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {
   const std::string& file = p.files.photons;
   std::optional<PhotonMaps> stored;
   if (!file.empty() && !options.photonmap_rebuild && std::filesystem::exists(file))
-    stored = read_photons(file, p.diagnostics);
+    stored = read_photons(file, world_, p.diagnostics);
   read_files_ |= stored.has_value();
   if (stored) {
     photons_ = std::move(*stored);
   } else {
     const PhotonSettings settings = photon_settings(world_, plan_, p.seed);
     note_lights_without_energy(world_, settings, p.diagnostics);
+    note_photon_budget(world_, settings, p.diagnostics);
     photons_ = trace_photons(world_, settings, p.counts, nullptr, p.monitor);
     if (!file.empty() && !p.monitor.cancelled()) write_photons(file, photons_, p.diagnostics);
   }
@@ -165,7 +181,8 @@ void CachedIntegrator::gather(const IntegratorPreparation& p) {
   if (options.rebuild != Rebuild::On)
     for (const std::string& file : p.files.gather)
       if (std::filesystem::exists(file))
-        if (const auto records = load_gather_map(file, p.diagnostics))
+        if (const auto records =
+                load_gather_map(file, p.diagnostics, world_.budgets[Budget::MapPoints]))
           read_files_ |= cache_.insert(*records) > 0;
   cache_.settle_radii();
 

@@ -74,19 +74,34 @@ constexpr float kTakenAway = 8;
 /// Samples of a part, below which nothing is said of noise within parts.
 constexpr float kMinSamplesOfPart = 2;
 
+/// A sample whose sums and differences are finite.
+Rgb bounded(const Rgb& sample) {
+  constexpr float kBrightest = 1e37f;
+  const Rgb c = finite_or_black(sample);
+  return {clamp(c.x, -kBrightest, kBrightest), clamp(c.y, -kBrightest, kBrightest),
+          clamp(c.z, -kBrightest, kBrightest)};
+}
+
+/// The sum, or the largest finite number: an infinite variance would remain infinite with any
+/// number of further samples.
+Rgb finite_sum(const Rgb& a, const Rgb& b) {
+  constexpr float kMost = std::numeric_limits<float>::max();
+  return {std::min(a.x + b.x, kMost), std::min(a.y + b.y, kMost), std::min(a.z + b.z, kMost)};
+}
+
 /// The quarter of the turned grid that a part belongs to.
 std::size_t quarter_of(std::size_t cell) { return cell / 8 * 2 + cell % 4 / 2; }
 
 }  // namespace
 
 void PixelMeans::add(const FilmSample& s) {
-  const Rgb c = finite_or_black(s.beauty);
+  const Rgb c = bounded(s.beauty);
   const float share = 1 / static_cast<float>(++samples);
 
   if ((samples - 1) & kHalfBlock) second += (c - second) / static_cast<float>(second_half(samples));
   const Rgb before = c - beauty;
   beauty += before * share;
-  beauty_m2 += before * (c - beauty);
+  beauty_m2 = finite_sum(beauty_m2, before * (c - beauty));
   if (std::has_single_bit(samples)) at_powers = {brightness(beauty), at_powers[0], at_powers[1]};
   alpha += (finite_or_zero(s.alpha) - alpha) * share;
   normal += ((is_finite(s.normal) ? s.normal : Vec3(0)) - normal) * share;
@@ -102,10 +117,10 @@ void PixelMeans::add(const FilmSample& s) {
 void SubPixelMeans::add(const FilmSample& s) {
   const std::size_t i = s.sub_pixel % kSubPixels;
   if (samples[i] == std::numeric_limits<std::uint16_t>::max()) return;
-  const Rgb c = finite_or_black(s.beauty);
+  const Rgb c = bounded(s.beauty);
   const float before = brightness(c - beauty[i]);
   beauty[i] += (c - beauty[i]) / static_cast<float>(++samples[i]);
-  m2 += before * brightness(c - beauty[i]);
+  m2 = std::min(m2 + before * brightness(c - beauty[i]), std::numeric_limits<float>::max());
 }
 
 Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map, FilmRequest request)
@@ -121,6 +136,13 @@ Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map, F
       positive_parts_(map_ ? positive_.size() : 0),
       negative_parts_(map_ ? negative_.size() : 0) {
   add_planes();
+}
+
+std::size_t Film::bytes() const {
+  std::size_t sum = (positive_.size() + negative_.size()) * sizeof(PixelMeans) +
+                    (positive_parts_.size() + negative_parts_.size()) * sizeof(SubPixelMeans);
+  for (const FilmPlane& plane : planes_) sum += plane.bytes();
+  return sum;
 }
 
 void Film::add_planes() {

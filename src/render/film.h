@@ -121,6 +121,7 @@ class Film {
   std::size_t user_buffers() const { return request_.user_buffers.size(); }
   bool mapped() const { return static_cast<bool>(map_); }
   std::size_t pixel_count() const { return positive_.size(); }
+  std::size_t bytes() const;  ///< memory of the pixels
 
   void add(int x, int y, const FilmSample& sample);
   /// Removes all samples.

@@ -51,6 +51,7 @@ class FilmPlane {
   void read(std::size_t pixel, std::size_t value, const FilterShares& shares, float* to) const;
   /// Whether any value is not 0.
   bool is_written() const;
+  std::size_t bytes() const { return (positive_.size() + negative_.size()) * sizeof(float); }
 
  private:
   std::size_t width() const { return spec_.values * static_cast<std::size_t>(spec_.channels); }

@@ -41,6 +41,21 @@ TEST(Film, VarianceIsThatOfTheMean) {
   EXPECT_FLOAT_EQ(film.estimate(0).error, std::sqrt(5.0f / 12));
 }
 
+// Squares of such samples exceed the largest number.
+TEST(Film, BrightSamplesHaveAFiniteVariance) {
+  const float most = std::numeric_limits<float>::max();
+  for (const float bright : {1e20f, 1e30f, most, -most}) {
+    Film film(1, 1, box());
+    for (int i = 0; i < 64; ++i)
+      film.add(0, 0, sample_of(i % 8 == 0 ? bright : i % 8 == 1 ? -bright : 1));
+    const Film::Pixel pixel = film.pixel(0, 0);
+    EXPECT_TRUE(is_finite(pixel.variance) && is_finite(pixel.split_difference)) << bright;
+    EXPECT_GT(pixel.variance.x, 0) << bright;
+    EXPECT_TRUE(std::isfinite(pixel.beauty.r)) << bright;
+    EXPECT_TRUE(std::isfinite(film.estimate(0).error)) << bright;
+  }
+}
+
 TEST(Film, HalvesAreEveryOtherFourSamples) {
   Film film(1, 1, box());
   // Means 2.5 of samples 0-3, 6.5 of 4-7, 10.5 of 8-11, 13.5 of the two after them.

@@ -48,6 +48,14 @@ FilmRequest film_request(const World& world, const SessionSettings& settings) {
 
 }  // namespace
 
+std::uint64_t film_bytes(const World& world, const SessionSettings& settings) {
+  const Window window = window_of(world, settings.crop);
+  const Film pixel(1, 1, FilterSampler(world.options.filter), display_map(world, window),
+                   film_request(world, settings));
+  return std::uint64_t{pixel.bytes()} * static_cast<std::uint64_t>(window.width()) *
+         static_cast<std::uint64_t>(window.height());
+}
+
 RenderSession::RenderSession(const World& world, const SessionSettings& settings)
     : world_(world),
       seed_(settings.seed),

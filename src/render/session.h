@@ -42,6 +42,9 @@ struct SessionSettings {
   std::optional<std::chrono::steady_clock::time_point> started = {};
 };
 
+/// Memory of the film of a session in bytes.
+std::uint64_t film_bytes(const World& world, const SessionSettings& settings);
+
 /// Renders one world.
 ///
 /// Model:   sample i of a pixel depends on the position of the pixel in the whole picture, the seed

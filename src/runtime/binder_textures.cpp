@@ -12,7 +12,7 @@ const photometry::LightProfile* Binder::light_profile(const std::string& name,
     return known->second;
   const photometry::LightProfile*& profile = light_profiles_[name];
   if (const auto* element = scene_.get<scene::LightProfile>(name)) {
-    if (auto opened = open_light_profile(*element, diagnostics_)) {
+    if (auto opened = open_light_profile(*element, scene_.files, diagnostics_)) {
       world_.light_profiles.push_back(std::move(opened));
       profile = world_.light_profiles.back().get();
     }
@@ -57,8 +57,8 @@ const TextureNode* Binder::texture(const std::string& name, SourceLocation where
   // Null while its procedure is bound, so that a procedure that looks itself up finds nothing.
   textures_[name] = nullptr;
   if (element->procedure.empty()) {
-    auto made =
-        TextureNode::open(*element, world_.texture_system, world_.options.gamma, diagnostics_);
+    auto made = TextureNode::open(*element, scene_, world_.texture_system, world_.options.gamma,
+                                  diagnostics_);
     if (made->missing()) report_.missing_textures.push_back(element->file);
     const TextureNode* kept = keep(std::move(made));
     world_.names.try_emplace(kept, name);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/diagnostic.h"
 #include "runtime/light_photons.h"
 #include "runtime/portal.h"
 #include "runtime/profile_placement.h"
@@ -46,6 +47,7 @@ struct Light {
   std::vector<Mat4> path;
   const ShaderNode* shader = nullptr;
   const ShaderNode* emitter = nullptr;  ///< evaluated for photons in place of the shader; optional
+  SourceLocation where = {};            ///< of the element
   std::unique_ptr<ShaderState> state;   ///< precomputed by the shader for this light
   std::unique_ptr<Portal> portal;       ///< non-null: the light emits the environment behind it
 };

@@ -29,6 +29,7 @@ ProfilePlacement place_profile(const photometry::LightProfile* profile, const Ma
 }
 
 std::unique_ptr<photometry::LightProfile> open_light_profile(const scene::LightProfile& element,
+                                                             const FileAccess& files,
                                                              Diagnostics& diagnostics) {
   const scene::LightProfileSettings settings = settings_of(element);
   if (settings.file.empty()) {
@@ -37,12 +38,13 @@ std::unique_ptr<photometry::LightProfile> open_light_profile(const scene::LightP
                         "write `file \"name.ies\"`; without it the light shines evenly");
     return nullptr;
   }
-  const std::string path = scene::find_asset(settings.file, element.directory);
+  const std::string path = scene::find_asset(settings.file, element.directory, files);
   try {
+    OpenFile file = files.open(path, FileUse::Asset);
     using photometry::ProfileFormat, photometry::Turn;
     using Format = scene::LightProfileSettings::Format;
     const photometry::ProfileData data =
-        read_profile(path,
+        read_profile(file,
                      settings.format == Format::Ies        ? ProfileFormat::Ies
                      : settings.format == Format::Eulumdat ? ProfileFormat::Eulumdat
                                                            : ProfileFormat::ByContent,

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/diagnostic.h"
+#include "base/file_access.h"
 #include "photometry/light_profile.h"
 #include "scene/elements.h"
 
@@ -41,6 +42,7 @@ ProfilePlacement place_profile(const photometry::LightProfile* profile, const Ma
 /// Errors:  OR-RT-040 with the line; returns null: the file cannot be used. OR-RT-041: a note.
 /// Checked: PhotometricLights.* in tests/shader_binding/photometric_test.cpp.
 std::unique_ptr<photometry::LightProfile> open_light_profile(const scene::LightProfile& element,
+                                                             const FileAccess& files,
                                                              Diagnostics& diagnostics);
 
 }  // namespace oriel

@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "scene/asset_path.h"
+#include "scene/scene.h"
 
 namespace oriel {
 namespace {
@@ -15,7 +14,8 @@ const Rgba kMissing(1, 0, 1, 1);
 
 }  // namespace
 
-std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element, TextureSystem& system,
+std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element,
+                                               const scene::Scene& scene, TextureSystem& system,
                                                float gamma, Diagnostics& diagnostics) {
   std::unique_ptr<TextureNode> node(new TextureNode);
   // Every texture is filtered: mental ray's `filter` selected a pyramid for speed, and unfiltered
@@ -23,7 +23,7 @@ std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element, Te
   node->filter_ = element.filter.value_or(1.0f);
   // Vector textures do not contain light.
   if (element.type == scene::ParamType::VectorTexture) gamma = 1;
-  std::string why, file;  // file: that does not exist
+  std::string why, file, permission;  // file: that does not exist
   if (!element.pixels.empty() && element.size.size() >= 2) {
     const int components = element.size.size() > 2 ? element.size[2] : 3;
     node->own_ =
@@ -31,16 +31,23 @@ std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element, Te
     node->texture_ = node->own_.get();
     if (!node->texture_) why = "its pixels do not fill the size written";
   } else {
-    const std::string path = scene::find_asset(element.file, element.directory);
-    const TextureSystem::Opened opened = system.open(path, gamma);
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) file = path;
-    node->texture_ = opened.texture;
-    if (!opened.texture)
-      why = opened.message.empty() ? "it could not be opened before" : opened.message;
+    const std::string path = scene::find_asset(element.file, element.directory, scene.files);
+    const OpenFile source = scene.files.open(path, FileUse::Asset);
+    if (!source) {
+      why = fmt::format("cannot open texture '{}': {}", path, source.reason());
+      permission = source.hint();
+      if (source.fault() == OpenFile::Fault::Missing) file = path;
+    } else {
+      const TextureSystem::Opened opened =
+          system.open(source.path(), gamma, scene.budgets[Budget::TextureTile]);
+      node->texture_ = opened.texture;
+      if (!opened.texture)
+        why = opened.message.empty() ? "it could not be opened before" : opened.message;
+    }
   }
   if (!why.empty()) {
     std::string hint = "it is shown in magenta";
+    if (!permission.empty()) hint = fmt::format("{}; {}", permission, hint);
     if (const std::string near = file.empty() ? "" : nearest_file(file); !near.empty())
       hint = fmt::format("did you mean \"{}\"? {}", near, hint);
     diagnostics.warning("OR-RT-020", element.where,

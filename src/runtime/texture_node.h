@@ -9,6 +9,10 @@
 #include "runtime/shader_node.h"
 #include "scene/elements.h"
 
+namespace oriel::scene {
+class Scene;
+}
+
 namespace oriel {
 
 class TextureNode {
@@ -18,9 +22,10 @@ class TextureNode {
 
   /// Opens a file, or the pixels in the scene file. A file that cannot be read is reported once
   /// (OR-RT-020) and replaced by magenta. `gamma` applies to colour and scalar textures; vector
-  /// textures are not converted.
-  static std::unique_ptr<TextureNode> open(const scene::Texture& element, TextureSystem& system,
-                                           float gamma, Diagnostics& diagnostics);
+  /// textures are not converted. `scene`: for its policy for files and its budgets.
+  static std::unique_ptr<TextureNode> open(const scene::Texture& element, const scene::Scene& scene,
+                                           TextureSystem& system, float gamma,
+                                           Diagnostics& diagnostics);
 
   bool missing() const { return procedure_.empty() && !texture_; }
   /// The shaders of a procedural texture; empty for pictures.

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/scene_budgets.h"
 #include "geom/accel.h"
 #include "runtime/camera.h"
 #include "runtime/environment.h"
@@ -108,6 +109,7 @@ struct World {
   std::deque<std::unique_ptr<ShaderNode>> nodes;
   std::deque<std::unique_ptr<photometry::LightProfile>> light_profiles;
   TextureSystem texture_system;
+  SceneBudgets budgets;
   std::deque<std::unique_ptr<TextureNode>> textures;
   std::deque<std::string> strings;
   std::unordered_map<const void*, std::string> names;  ///< of bound shaders and textures

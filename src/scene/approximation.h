@@ -121,6 +121,9 @@ struct ApproximationContext {
   std::vector<const Instance*> chain;  ///< above the object, outermost first
   const Options* options = nullptr;
   TessellationView view;
+  /// Maximum number of triangles of each subdivision and free-form surface; 0: that of the
+  /// renderer.
+  std::size_t most_triangles = 0;
 
   ApproximationRules rules(const PolygonGroup& group) const { return {group, chain, options}; }
 };

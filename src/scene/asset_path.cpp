@@ -53,11 +53,6 @@ std::string with_slashes(std::string path) {
   return path;
 }
 
-bool lies_below(std::string_view path, std::string_view folder) {
-  if (folder.empty() || !path.starts_with(folder)) return false;
-  return folder.back() == '/' || path.size() == folder.size() || path[folder.size()] == '/';
-}
-
 std::vector<std::string> spellings_of(const std::string& written) {
   std::vector<std::string> spellings = {written};
   const std::string portable = with_slashes(written);
@@ -72,16 +67,19 @@ std::vector<std::string> spellings_of(const std::string& written) {
   return spellings;
 }
 
-std::string find_asset(const std::string& written, const std::string& folder) {
+std::string find_asset(const std::string& written, const std::string& folder,
+                       const FileAccess& access) {
   for (const std::string& spelling : spellings_of(written)) {
     const std::string path = in_folder(spelling, folder);
     std::error_code error;
-    if (fs::is_regular_file(path, error)) return path;
+    if (access.permits(path, FileUse::Asset) && fs::is_regular_file(path, error)) return path;
   }
   // File names on Windows are not case-sensitive.
   for (const std::string& spelling : spellings_of(written))
     if (!fs::path(spelling).is_absolute())
-      if (std::string path = find_in_any_case(spelling, folder); !path.empty()) return path;
+      if (std::string path = find_in_any_case(spelling, folder);
+          !path.empty() && access.permits(path, FileUse::Asset))
+        return path;
   return in_folder(written, folder);
 }
 

@@ -3,16 +3,14 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "base/file_access.h"
 
 namespace oriel::scene {
 
 /// Converts backslashes of Windows paths to slashes.
 std::string with_slashes(std::string path);
-
-/// Whether `path` is `folder` or below it. Both must be canonical; false if `folder` is empty.
-bool lies_below(std::string_view path, std::string_view folder);
 
 /// Candidate paths of a file, best first: as written, with slashes, then shorter and shorter ends
 /// of the path ("W:\maps\oak.tif": "W:/maps/oak.tif", "maps/oak.tif", "oak.tif"). The shortened
@@ -20,8 +18,10 @@ bool lies_below(std::string_view path, std::string_view folder);
 std::vector<std::string> spellings_of(const std::string& written);
 
 /// The first candidate path that is a file, resolved against `folder`; otherwise the first one that
-/// matches a file except for the case of ASCII letters; otherwise the path as written.
+/// matches a file except for the case of ASCII letters; otherwise the path as written. Files that
+/// `access` does not permit are passed over.
 /// Checked: AssetPath.*
-std::string find_asset(const std::string& written, const std::string& folder);
+std::string find_asset(const std::string& written, const std::string& folder,
+                       const FileAccess& access = {});
 
 }  // namespace oriel::scene

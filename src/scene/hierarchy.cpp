@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -16,6 +17,8 @@ namespace {
 using Matrix = Imath::M44d;
 
 constexpr std::size_t kNoElement = ~std::size_t{0};
+/// Instances in all chains that are always possible; 8 MB.
+constexpr std::uint64_t kFewLinks = 1'000'000;
 // Limit for the search for a similar name, which compares with every name.
 constexpr std::size_t kMaxNamesSearched = 20'000;
 
@@ -245,7 +248,13 @@ class Flattener {
 
   void add_leaf(std::size_t index, const Inherited& here) {
     if (leaves_.size() >= limits_.leaves)
-      return stop(fmt::format("the scene places more than {} elements", limits_.leaves));
+      return stop(fmt::format("the scene places more than {} elements", limits_.leaves),
+                  SceneBudgets::hint(Budget::Instances));
+    links_ += chain_.size();
+    if (links_ > std::max(limits_.leaves * limits_.mean_depth, kFewLinks))
+      return stop(fmt::format("{} placed elements have {} instances above them, more than {} each",
+                              leaves_.size() + 1, links_, limits_.mean_depth),
+                  SceneBudgets::hint(Budget::Instances));
     Leaf& leaf = leaves_.emplace_back();
     leaf.element = index == kNoElement ? nullptr : &element(index);
     leaf.chain = chain_;
@@ -274,10 +283,10 @@ class Flattener {
     return *layer;
   }
 
-  void stop(std::string message) {
+  void stop(const std::string& message, const std::string& hint = {}) {
     if (!std::exchange(stopped_, true))
       diagnostics_.error("OR-SC-305", chain_.empty() ? SourceLocation{} : chain_.back()->where,
-                         std::move(message), "the rest of the scene is left out");
+                         message + "; the rest of the scene is left out", hint);
   }
 
   const Scene& scene_;
@@ -290,6 +299,7 @@ class Flattener {
   std::vector<std::optional<FlagLayer>> objects_;
   std::vector<const Instance*> chain_;
   std::vector<Leaf> leaves_;
+  std::uint64_t links_ = 0;  // of all chains
   std::size_t visits_ = 0, assumed_on_ = 0;
   SourceLocation first_assumed_;
   bool stopped_ = false;

@@ -2,6 +2,7 @@
 // Flattens the instance hierarchy: all placed objects, lights and cameras with inherited settings.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -43,7 +44,10 @@ struct Leaf {
 };
 
 struct FlattenLimits {
-  std::size_t leaves = 20'000'000;
+  std::uint64_t leaves = 20'000'000;
+  /// Mean number of instances above a leaf: chains of deeply nested groups take more memory than
+  /// the leaves.
+  std::uint64_t mean_depth = 32;
   std::size_t visits = 100'000'000;  ///< of instances; nested groups can multiply without leaves
   std::size_t depth = 1000;          ///< of nested groups
 };
@@ -53,9 +57,9 @@ struct FlattenLimits {
 /// Inputs:  defaults: flags with lower priority than those of objects.
 /// Errors:  OR-SC-301 missing root, OR-SC-302 missing member or element, OR-SC-303 element of a
 ///          kind that is not allowed, OR-SC-304 a group inside itself, OR-SC-305 too many leaves or
-///          nested too deeply (returns the leaves found so far), OR-SC-306 singular transform
-///          (replaced by the identity), OR-SC-307 objects without flags, assumed on (a note).
-///          Each location is reported once.
+///          nested too deeply, or chains too long (returns the leaves found so far), OR-SC-306
+///          singular transform (replaced by the identity), OR-SC-307 objects without flags, assumed
+///          on (a note). Each location is reported once.
 /// Checked: hierarchy_test.cpp
 std::vector<Leaf> flatten(const Scene& scene, std::string_view root, Diagnostics& diagnostics,
                           const FlattenLimits& limits = {}, const FlagLayer& defaults = {});

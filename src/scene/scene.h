@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/file_access.h"
+#include "base/scene_budgets.h"
 #include "scene/elements.h"
 
 namespace oriel::scene {
@@ -79,12 +81,14 @@ class Scene {
   std::vector<std::string> packages;  ///< includes satisfied by libraries of Oriel ("base.mi")
   std::vector<RenderCommand> renders;
   std::set<std::string, std::less<>> loaded;  ///< loaded from placeholder files; not written
+  FileAccess files;                           ///< files that elements may name
+  SceneBudgets budgets;                       ///< what the elements may expand to
 
   const ShaderDeclaration* find_declaration(std::string_view name) const;
   const Phenomenon* find_phenomenon(std::string_view name) const;
   const DataDeclaration* find_data_declaration(std::string_view name) const;
 
-  /// Ignores revisions.
+  /// Ignores revisions, the policy for files and the budgets.
   bool operator==(const Scene& other) const;
 
  private:

@@ -73,8 +73,12 @@ void load_file(GeometryWork& work, const std::string& name, const std::string& f
   options.knows_shader = [host](std::string_view shader) {
     return host->registry().find(shader) != nullptr;
   };
-  // Shaders have the rights of the user: files are not restricted to folders.
-  options.include_paths = {std::filesystem::path(file).parent_path().string()};
+  options.files = host->scene().files;
+  options.budgets = host->scene().budgets;
+  // Shaders have the rights of the user: files are not restricted to folders. The name may be a
+  // parameter of the scene, which has no such rights if it is untrusted.
+  if (!options.files.is_untrusted() || options.files.permits(file, FileUse::Scene))
+    options.include_paths = {std::filesystem::path(file).parent_path().string()};
   mi::load_placeholder(*work.scene, name, options, host->diagnostics());
 }
 

@@ -111,7 +111,14 @@ miBoolean mi_img_open(miImg_file* file, const char* name, miImg_type type) {
   describe(file, miIMG_TYPE_ANY, 0, 0);
   if (!name || *name == '\0') return failed(file, miIMG_ERR_ARGS, "");
   try {
-    const std::string path = (fs::path(oriel::sdk::output_roots().base) / name).string();
+    const std::string named = (fs::path(oriel::sdk::output_roots().base) / name).string();
+    // The name may be a parameter of the scene.
+    const oriel::sdk::Host* const host = oriel::sdk::current_host();
+    const oriel::OpenFile source =
+        host ? host->scene().files.open(named, oriel::FileUse::Asset) : oriel::open_regular(named);
+    if (!source)
+      return failed(file, miIMG_ERR_OPEN, "cannot read '" + named + "': " + source.reason());
+    const std::string& path = source.path();
     Image image = oriel::read_image(path);
     const std::string extension = extension_of(path);
     describe(file,

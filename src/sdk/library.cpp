@@ -77,10 +77,11 @@ std::string library_stem(const std::string& written) {
   return name;
 }
 
-TrustedFolders trusted_folders(const std::string& told) {
+TrustedFolders trusted_folders(const std::string& told, bool untrusted) {
   TrustedFolders folders;
   add_folders(told, folders);
-  if (const char* more = std::getenv("ORIEL_SHADER_PATH")) add_folders(more, folders);
+  const char* const more = untrusted ? nullptr : std::getenv("ORIEL_SHADER_PATH");
+  if (more) add_folders(more, folders);
   return folders;
 }
 

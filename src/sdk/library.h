@@ -15,8 +15,8 @@ namespace oriel::sdk {
 using TrustedFolders = std::vector<std::filesystem::path>;
 
 /// Folders of --shader-path, then of the environment variable ORIEL_SHADER_PATH, separated by
-/// colons.
-TrustedFolders trusted_folders(const std::string& told);
+/// colons. Inputs: untrusted: the scene is untrusted; the environment is ignored.
+TrustedFolders trusted_folders(const std::string& told, bool untrusted = false);
 
 /// File name of a path of any system, without the suffix of a shared library.
 std::string library_stem(const std::string& written);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <vector>
 
 namespace oriel::sdk {
@@ -16,7 +15,7 @@ using scene::Value;
 using Bytes = std::vector<std::byte>;
 
 /// Maximum size of a user data file.
-constexpr std::uintmax_t kLargestFile = 1u << 30;
+constexpr std::size_t kLargestFile = 1u << 30;
 
 template <class T>
 void put(Bytes& bytes, std::size_t at, const T& value) {
@@ -109,18 +108,21 @@ Bytes declared(const scene::UserData& data, const UserSpec& layout, Host& host) 
 Bytes of_file(const scene::UserData& data, Host& host) {
   namespace fs = std::filesystem;
   const fs::path path = fs::path(data.directory) / data.file;  // absolute names are kept
-  std::error_code error;
-  const std::uintmax_t size = fs::file_size(path, error);
-  Bytes bytes;
-  if (!error && size <= kLargestFile) {
-    bytes.resize(size);
-    std::ifstream file(path, std::ios::binary);
-    if (file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
-      return bytes;
+  OpenFile file = host.scene().files.open(path.string(), FileUse::Scene);
+  std::string reason = file.reason();
+  if (file && file.size() > kLargestFile) reason = "it is larger than 1 GB";
+  if (reason.empty()) {
+    const std::string content = file.read(kLargestFile);
+    if (content.size() == file.size()) {
+      const auto* first = reinterpret_cast<const std::byte*>(content.data());
+      return {first, first + content.size()};
+    }
+    reason = "it ends early";
   }
-  host.diagnostics().warning(
-      "OR-SDK-012", data.where,
-      fmt::format("the file \"{}\" of user data \"{}\" cannot be read", data.file, data.name));
+  host.diagnostics().warning("OR-SDK-012", data.where,
+                             fmt::format("the file \"{}\" of user data \"{}\" cannot be read: {}",
+                                         data.file, data.name, reason),
+                             file.hint());
   return {};
 }
 

@@ -142,7 +142,9 @@ Mesh tessellate_freeform(const scene::Object& object, const scene::PolygonGroup&
   std::vector<SurfacePart> parts(work.nets.size());
   parallel_for(parts.size(), [&](std::size_t i) {
     if (!work.nets[i]) return;
-    Budget budget{points_per_surface(parts.size())};
+    std::size_t points = points_per_surface(parts.size());
+    if (context.most_triangles > 0) points = std::min(points, context.most_triangles / 2);
+    Budget budget{points};
     const SurfaceInput input{object, group, group.freeform.surfaces[i], work.input(i)};
     parts[i] = make_surface(input, budget, diagnostics);
     parts[i].mesh.slots = {slot_of(work, input.surface)};

@@ -227,8 +227,9 @@ class Module final : public FilesModule {
     return {reinterpret_cast<const char*>(buffer.buffer().data()), buffer.buffer().size()};
   }
 
-  std::unique_ptr<Texture> open_texture(const std::string& path, float gamma) override {
-    return oiio::open_texture_file(path, gamma);
+  std::unique_ptr<Texture> open_texture(const std::string& path, float gamma,
+                                        std::uint64_t most_tile_bytes) override {
+    return oiio::open_texture_file(path, gamma, most_tile_bytes);
   }
 
   void set_cache_megabytes(float megabytes) override { oiio::set_cache_megabytes(megabytes); }

@@ -182,6 +182,22 @@ bool is_integer(OIIO::TypeDesc format) {
          format.basetype != OIIO::TypeDesc::DOUBLE;
 }
 
+void check_tiles(const OIIO::ImageSpec& spec, std::uint64_t most) {
+  const int rows = spec.get_int_attribute("tiff:RowsPerStrip", 1);
+  const bool tiled = spec.tile_width > 0 && spec.tile_height > 0;
+  const int width = tiled ? spec.tile_width : spec.width;
+  const int height = tiled ? spec.tile_height : std::clamp(rows, 1, std::max(spec.height, 1));
+  const std::uint64_t bytes = std::uint64_t{sizeof(float)} * static_cast<std::uint64_t>(width) *
+                              static_cast<std::uint64_t>(height) *
+                              static_cast<std::uint64_t>(std::max(spec.tile_depth, 1)) *
+                              static_cast<std::uint64_t>(spec.nchannels);
+  if (bytes <= most) return;
+  throw std::runtime_error("its tiles of " + std::to_string(width) + " x " +
+                           std::to_string(height) + " pixels take " + std::to_string(bytes) +
+                           " bytes each, more than the budget of " + std::to_string(most) +
+                           "; --budget texture-tile=" + std::to_string(bytes) + " permits it");
+}
+
 }  // namespace
 
 void check_size(long long width, long long height, long long channels) {
@@ -192,7 +208,8 @@ void check_size(long long width, long long height, long long channels) {
     throw std::runtime_error("its picture is too large");
 }
 
-std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma) {
+std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma,
+                                           std::uint64_t most_tile_bytes) {
   // Read the header before the cache does: the error messages of ImageInput are more specific.
   const auto input = OIIO::ImageInput::open(path);
   if (!input) {
@@ -202,6 +219,7 @@ std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma)
   const OIIO::ImageSpec spec = input->spec();
   check_size(spec.width, spec.height, spec.nchannels);
   check_size(spec.full_width, spec.full_height, 1);
+  check_tiles(spec, most_tile_bytes);
 
   OIIO::ustring name(path);
   if (gamma > 0 && gamma != 1 && is_integer(spec.format)) {

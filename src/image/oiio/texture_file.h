@@ -2,6 +2,7 @@
 // File textures based on OpenImageIO's texture system; part of the files module.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -14,8 +15,10 @@ namespace oriel::oiio {
 void check_size(long long width, long long height, long long channels);
 
 /// Reloads the file if its time stamp has changed since it was last opened. Throws
-/// std::runtime_error with the reason only.
-std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma);
+/// std::runtime_error with the reason only, also if a tile or strip of the file, of which each
+/// lookup reads whole ones, has more bytes as floats.
+std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma,
+                                           std::uint64_t most_tile_bytes);
 
 void set_cache_megabytes(float megabytes);
 TextureStatistics texture_statistics();

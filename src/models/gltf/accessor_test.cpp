@@ -120,24 +120,31 @@ TEST(GltfAccessor, LargeCountsWithoutDataAreRejected) {
   EXPECT_THROW(while (true) read.buffers.spend(std::size_t{1} << 26), Unreadable);
 }
 
-TEST(GltfBuffers, OnlyFilesBelowTheModelFolderAreRead) {
+TEST(GltfBuffers, FilesAreReadByThePolicy) {
   const testing::Folder folder;
   folder.write("a b.bin", "0123456789");
+  FileAccess files;
   const auto read = [&](const std::string& uri, std::size_t length) {
     Document document{{{"buffers", {{{"uri", uri}, {"byteLength", length}}}},
                        {"bufferViews", {{{"buffer", 0}, {"byteLength", 4}}}}},
                       {}};
-    Buffers buffers(document, folder.path(), 100);
+    Buffers buffers(document, folder.path(), 100, files);
     return std::string(buffers.view(0));
   };
   EXPECT_EQ(read("a%20b.bin", 10), "0123");
   EXPECT_EQ(read("./a b.bin", 10000), "0123");
+  EXPECT_EQ(read((folder.path() / "a b.bin").string(), 10), "0123");
+  EXPECT_EQ(read("/etc/passwd", 10).size(), 4u) << "buffers of own models may lie anywhere";
   EXPECT_THROW(read("a%20b.bin", 3), Unreadable) << "more than the buffer says it has";
+  for (const char* none : {"none.bin", ".", "file:///etc/passwd", "/proc/self/environ", "/dev/zero",
+                           "data:application/octet-stream;base64,!!!!"})
+    EXPECT_THROW(read(none, 10), Unreadable) << none;
+  files.set_untrusted(true);
+  files.permit(folder.path());
+  EXPECT_EQ(read("a%20b.bin", 10), "0123");
   for (const char* elsewhere :
-       {"/etc/passwd", "../../../../../../etc/passwd", "%2e%2e/%2e%2e/etc/passwd", "none.bin", ".",
-        "file:///etc/passwd", "data:application/octet-stream;base64,!!!!"})
+       {"/etc/passwd", "../../../../../../etc/passwd", "%2e%2e/%2e%2e/%2e%2e/%2e%2e/etc/passwd"})
     EXPECT_THROW(read(elsewhere, 10), Unreadable) << elsewhere;
-  EXPECT_THROW(read((folder.path() / "a b.bin").string(), 10), Unreadable);
 }
 
 }  // namespace accessor_test

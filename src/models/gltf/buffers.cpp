@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "models/gltf/meshopt.h"
 #include "models/gltf/uri.h"
@@ -37,20 +36,18 @@ std::string Buffers::load(std::size_t index) {
     return std::move(data->bytes);
   }
   const std::string name = file_name(uri, folder_);
-  if (!stays_below(name))
-    throw Unreadable(fmt::format("buffer \"{}\" is outside of the folder of the model", name));
-  const fs::path path = fs::path(folder_) / name;
-  std::error_code error;
-  if (!fs::is_regular_file(path, error))
+  OpenFile file = files_.open((fs::path(folder_) / name).string(), FileUse::Asset);
+  if (file.fault() == OpenFile::Fault::Missing)
     throw Unreadable(fmt::format("file \"{}\" does not exist in the folder of the model", name));
+  if (!file) {
+    const std::string hint = file.hint().empty() ? "" : "; " + file.hint();
+    throw Unreadable(fmt::format("buffer \"{}\" is not read: {}{}", name, file.reason(), hint));
+  }
   const std::size_t length =
-      std::min<std::size_t>(fs::file_size(path, error), whole(member(written, "byteLength"), 0));
-  if (error) throw Unreadable(fmt::format("\"{}\" cannot be read", name));
+      std::min<std::size_t>(file.size(), whole(member(written, "byteLength"), 0));
   spend(length);
-  std::string bytes(length, '\0');
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(bytes.data(), static_cast<std::streamsize>(length)))
-    throw Unreadable(fmt::format("\"{}\" cannot be read", name));
+  std::string bytes = file.read(length);
+  if (bytes.size() < length) throw Unreadable(fmt::format("\"{}\" cannot be read", name));
   return bytes;
 }
 

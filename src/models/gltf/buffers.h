@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/file_access.h"
 #include "models/gltf/document.h"
 
 namespace oriel::models::gltf {
@@ -13,10 +14,14 @@ namespace oriel::models::gltf {
 /// Reads each buffer and buffer view once, at its first use.
 class Buffers {
  public:
-  /// Inputs:  folder: folder of the model, which file names of buffers are relative to; files
-  ///          outside are not read. content_size: of the model file, in bytes.
-  Buffers(const Document& document, std::string folder, std::size_t content_size)
-      : document_(document), folder_(std::move(folder)), left_(most_bytes(content_size)) {}
+  /// Inputs:  folder: folder of the model, which file names of buffers are relative to.
+  ///          content_size: of the model file, in bytes. files: policy for files of buffers.
+  Buffers(const Document& document, std::string folder, std::size_t content_size,
+          FileAccess files = {})
+      : document_(document),
+        folder_(std::move(folder)),
+        files_(std::move(files)),
+        left_(most_bytes(content_size)) {}
 
   /// Content of a buffer view, decompressed; valid as long as this object.
   /// Errors:  Unreadable.
@@ -37,6 +42,7 @@ class Buffers {
 
   const Document& document_;
   std::string folder_;
+  FileAccess files_;
   std::size_t left_;
   std::map<std::size_t, std::string> buffers_, unpacked_;
 };

@@ -99,7 +99,7 @@ void keep_other_parts(const json& root, json& made) {
 Plain plain_of(const Document& document, std::size_t content_size, const std::string& folder,
                const PlainOptions& options, Diagnostics& diagnostics) {
   report_unsupported(document.root, diagnostics);
-  Buffers buffers(document, folder, content_size);
+  Buffers buffers(document, folder, content_size, options.files);
   std::optional<json> with_pose;
   try {
     with_pose = posed(document.root, buffers, options.seconds);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/diagnostic.h"
+#include "base/file_access.h"
 #include "models/gltf/json_read.h"
 
 namespace oriel::models::gltf {
@@ -13,6 +14,7 @@ namespace oriel::models::gltf {
 struct PlainOptions {
   float aspect = 0;              ///< of the picture for cameras; 0 = as in the file: plain_views.h
   std::optional<float> seconds;  ///< time of the first animation: see pose.h
+  FileAccess files = {};         ///< policy for buffers in files
 };
 
 struct Plain {

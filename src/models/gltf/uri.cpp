@@ -86,12 +86,4 @@ std::string file_name(const std::string& uri, const std::string& folder) {
   return name;
 }
 
-bool stays_below(const std::string& name) {
-  const fs::path path(name);
-  if (name.empty() || path.has_root_path()) return false;
-  for (const fs::path& part : path)
-    if (part == "..") return false;
-  return true;
-}
-
 }  // namespace oriel::models::gltf

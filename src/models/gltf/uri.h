@@ -24,7 +24,4 @@ std::optional<DataUri> data_of(std::string_view uri);
 /// URI as written. If neither exists, the decoded URI.
 std::string file_name(const std::string& uri, const std::string& folder);
 
-/// Whether the path is inside the folder or a subfolder.
-bool stays_below(const std::string& name);
-
 }  // namespace oriel::models::gltf

@@ -131,7 +131,13 @@ json MaterialWriter::Maker::texture(const std::string& element) {
   json& known = textures_[element];
   const auto* source = scene_.get<scene::Texture>(element);
   if (!source || source->file.empty()) return known;
-  const fs::path path = fs::path(source->directory) / source->file;
+  const OpenFile picture =
+      scene_.files.open((fs::path(source->directory) / source->file).string(), FileUse::Asset);
+  if (!picture) {
+    notes.insert(fmt::format("picture \"{}\" cannot be read: {}", source->file, picture.reason()));
+    return known;
+  }
+  const fs::path path = picture.path();
   std::string suffix = path.extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -3,14 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
-#include <system_error>
 
 #include "base/durable_file.h"
+#include "base/file_access.h"
 #include "transport/gather/gather_cache.h"
 
 namespace oriel {
@@ -89,15 +87,14 @@ void write_records(std::span<const GatherRecord> records, DurableFile& out) {
 }
 
 /// Returns why the header is rejected; empty if it is valid.
-std::string refusal(const Header& h, std::uint64_t size) {
+std::string refusal(const Header& h, std::uint64_t size, std::uint64_t most) {
   if (std::memcmp(h.magic, kMagic, sizeof kMagic) != 0)
     return "is not a final gather map of Oriel (other renderers' maps cannot be read)";
   if (h.byte_order == kOtherByteOrder) return "was written on a machine of other byte order";
   if (h.byte_order != kByteOrder) return "is damaged";
   if (h.version != kVersion)
     return fmt::format("has version {}, this program reads version {}", h.version, kVersion);
-  if (h.records > kMaxGatherRecords)
-    return fmt::format("claims more than {} points", kMaxGatherRecords);
+  if (h.records > most) return fmt::format("claims more than {} points", most);
   const std::uint64_t record = std::uint64_t{h.floats} * sizeof(float);
   if (h.floats != numbers_of_record() || h.zero != 0 ||
       size != sizeof(Header) + h.records * record + sizeof(std::uint64_t))
@@ -106,15 +103,11 @@ std::string refusal(const Header& h, std::uint64_t size) {
 }
 
 /// Fills `records`; returns an error text, or empty.
-std::string read_records(const std::string& path, std::vector<GatherRecord>& records) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    return "could not be read: " + (error ? error.message() : "not a regular file");
-  const std::uint64_t size = std::filesystem::file_size(path, error);
-  std::ifstream in(path, std::ios::binary);
-  if (error || !in)
-    return "could not be read: " +
-           (error ? error.message() : std::generic_category().message(errno));
+std::string read_records(const std::string& path, std::uint64_t most,
+                         std::vector<GatherRecord>& records) {
+  const OpenFile file = open_regular(path);
+  if (!file) return "could not be read: " + file.reason();
+  std::ifstream in(file.descriptor_path(), std::ios::binary);
   Checksum sum;
   const auto read = [&](void* data, std::size_t bytes) {
     in.read(static_cast<char*>(data), static_cast<std::streamsize>(bytes));
@@ -122,7 +115,7 @@ std::string read_records(const std::string& path, std::vector<GatherRecord>& rec
   };
   Header header{};
   const bool whole = read(&header, sizeof header);
-  if (std::string why = refusal(header, size); !why.empty()) return why;
+  if (std::string why = refusal(header, file.size(), most); !why.empty()) return why;
   if (!whole) return "is damaged: it ends early";
   sum.add(&header, sizeof header);
 
@@ -169,9 +162,10 @@ bool save_gather_map(std::span<const GatherRecord> records, const std::string& p
 }
 
 std::optional<std::vector<GatherRecord>> load_gather_map(const std::string& path,
-                                                         Diagnostics& diagnostics) {
+                                                         Diagnostics& diagnostics,
+                                                         std::uint64_t most) {
   std::vector<GatherRecord> records;
-  const std::string why = read_records(path, records);
+  const std::string why = read_records(path, most, records);
   if (why.empty()) return records;
   diagnostics.warning("OR-TR-102", {}, fmt::format("final gather map '{}' {}", path, why),
                       "the points are gathered anew");

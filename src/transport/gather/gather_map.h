@@ -29,11 +29,13 @@ bool save_gather_map(std::span<const GatherRecord> records, const std::string& p
 
 /// Reads the records of a map.
 ///
+/// Inputs:  most: maximum number of records.
 /// Returns: empty if the map cannot be used; never a part of a map.
 /// Errors:  OR-TR-102, one warning with the reason: not readable, not an Oriel map (other renderers
 ///          have their own formats), another version or byte order, damaged.
 /// Checked: gather_map_test.cpp
 std::optional<std::vector<GatherRecord>> load_gather_map(const std::string& path,
-                                                         Diagnostics& diagnostics);
+                                                         Diagnostics& diagnostics,
+                                                         std::uint64_t most = kMaxGatherRecords);
 
 }  // namespace oriel

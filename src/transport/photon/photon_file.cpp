@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/durable_file.h"
+#include "base/file_access.h"
 
 namespace oriel {
 namespace {
@@ -65,12 +66,11 @@ void save_photon_maps(const std::string& path, const PhotonMaps& maps) try {
   throw std::runtime_error("cannot write the photon map '" + path + "': " + e.what());
 }
 
-PhotonMaps load_photon_maps(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) refuse(path, "it cannot be opened");
-  in.seekg(0, std::ios::end);
-  const auto bytes = static_cast<std::uint64_t>(std::max<std::streamoff>(0, in.tellg()));
-  in.seekg(0);
+PhotonMaps load_photon_maps(const std::string& path, std::uint64_t most) {
+  const OpenFile file = open_regular(path);
+  if (!file) refuse(path, "it cannot be opened: " + file.reason());
+  std::ifstream in(file.descriptor_path(), std::ios::binary);
+  const std::uint64_t bytes = file.size();
   PhotonHeader header;
   in.read(reinterpret_cast<char*>(&header), sizeof(header));
   if (!in || std::memcmp(header.magic, kPhotonMagic, sizeof(kPhotonMagic)) != 0)
@@ -79,7 +79,7 @@ PhotonMaps load_photon_maps(const std::string& path) {
   if (header.version != kPhotonVersion)
     refuse(path, "it has version " + std::to_string(header.version) + ", this program reads " +
                      std::to_string(kPhotonVersion));
-  if (header.global > kMaxPhotonsInFile || header.caustic > kMaxPhotonsInFile - header.global)
+  if (header.global > most || header.caustic > most - header.global)
     refuse(path, "it claims more photons than a map may hold");
   if (bytes != sizeof(PhotonHeader) + (header.global + header.caustic) * kBytesInFile)
     refuse(path, "its size does not fit the number of its photons");

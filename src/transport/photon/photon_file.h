@@ -28,9 +28,10 @@ inline constexpr std::uint64_t kMaxPhotonsInFile = std::uint64_t{1} << 27;
 void save_photon_maps(const std::string& path, const PhotonMaps& maps);
 
 /// Reads what save_photon_maps wrote. The size is checked before memory is taken.
+/// Inputs:  most: maximum number of photons, both maps together.
 /// Errors:  std::runtime_error with path and reason: missing, of another program or version, cut
 ///          short, numbers that are none.
 /// Checked: PhotonFile.*
-PhotonMaps load_photon_maps(const std::string& path);
+PhotonMaps load_photon_maps(const std::string& path, std::uint64_t most = kMaxPhotonsInFile);
 
 }  // namespace oriel

@@ -138,17 +138,66 @@ bool sends_photons(const Light& light, const PhotonSettings& settings) {
   return !light.photons.none && (light.photons.has_energy || !settings.by_energy);
 }
 
+namespace {
+
+std::uint64_t requested(const PhotonCount& count) {
+  return count.store > 0 ? count.store : std::min(count.emit, kMaxEmitted);
+}
+
+/// The request of a light; null: it sends no photons.
+const LightPhotons* request_of(const Light& light, const PhotonSettings& settings) {
+  const LightPhotons& asked = light.photons.any() ? light.photons : settings.each;
+  return asked.any() && sends_photons(light, settings) ? &asked : nullptr;
+}
+
+std::uint64_t requested(const LightPhotons& asked, const PhotonSettings& settings) {
+  return (settings.globillum ? requested(asked.global) : 0) +
+         (settings.caustics ? requested(asked.caustic) : 0);
+}
+
+void limit(PhotonCount& count, double share) {
+  if (count.any())
+    count.store = std::max<std::uint64_t>(
+        1, static_cast<std::uint64_t>(static_cast<double>(requested(count)) * share));
+}
+
+/// The request, reduced to a share of its photons.
+LightPhotons limited(LightPhotons asked, double share) {
+  if (share >= 1) return asked;
+  limit(asked.global, share);
+  limit(asked.caustic, share);
+  return asked;
+}
+
+}  // namespace
+
+std::uint64_t requested_photons(const World& world, const PhotonSettings& settings,
+                                const Light** largest) {
+  std::uint64_t sum = 0, most = 0;
+  for (const Light& light : world.lights) {
+    const bool requests = light.photons.any() && sends_photons(light, settings);
+    const std::uint64_t wanted = requests ? requested(light.photons, settings) : 0;
+    sum += wanted;
+    if (largest && wanted > most) *largest = &light, most = wanted;
+  }
+  return sum;
+}
+
 PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, RayCounts& counts,
                          PhotonBalance* balance, const ProgressMonitor& monitor) {
   MapTracer tracer(world, settings, monitor);
   const double sources = static_cast<double>(world.lights.size()) + 1;
+  const double share =
+      static_cast<double>(settings.most) /
+      static_cast<double>(std::max<std::uint64_t>(requested_photons(world, settings), 1));
   const LightLayers& layers = world.light_layers;
   for (std::size_t i = 0; i < world.lights.size(); ++i) {
     const LightPhotons& own = world.lights[i].photons;
-    const LightPhotons& asked = own.any() ? own : settings.each;
-    if (!asked.any() || !sends_photons(world.lights[i], settings)) continue;
+    const LightPhotons* asked = request_of(world.lights[i], settings);
+    if (!asked) continue;
     const double done = static_cast<double>(i);
-    tracer.trace(PhotonSource(world, world.lights[i], own.emission), asked, static_cast<int>(i) + 1,
+    tracer.trace(PhotonSource(world, world.lights[i], own.emission),
+                 own.any() ? limited(*asked, share) : *asked, static_cast<int>(i) + 1,
                  layers.asked() ? layers.of_light[i] : Photon::kUnknownLayer,
                  {done / sources, (done + 1) / sources});
   }

@@ -24,7 +24,15 @@ struct PhotonSettings {
   /// Lights without energy emit no photons, as in scenes whose own statements enable photons.
   bool by_energy = false;
   std::uint32_t seed = 0;
+  /// Maximum number of stored photons that lights request by counts of their own, in both maps. If
+  /// they request more, each stores the same share of its request.
+  std::uint64_t most = UINT64_MAX;
 };
+
+/// The number of stored photons that the lights request together by counts of their own, and
+/// optionally the light with the largest request; a limit of emitted photons counts as such.
+std::uint64_t requested_photons(const World& world, const PhotonSettings& settings,
+                                const Light** largest = nullptr);
 
 /// Whether a light emits photons: it is on, and has energy if energy is required.
 /// Source:  manual 2.5 (automatic_photon_energy): without energy "photon emission is disabled".
