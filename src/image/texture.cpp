@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 
+#include "base/input_files.h"
 #include "image/module.h"
 #include "image/texture_statistics.h"
 
@@ -17,6 +18,7 @@ std::atomic<bool> has_module{false};
 }  // namespace
 
 TextureSystem::Opened TextureSystem::open(const std::string& path, float gamma) {
+  note_input_file(path, InputKind::Frame);
   const std::lock_guard lock(mutex_);
   const auto [entry, is_new] = textures_.try_emplace({path, gamma}, nullptr);
   if (!is_new) return {entry->second.get(), {}};

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/input_files.h"
 #include "mi/gzip.h"
 #include "mi/utf16.h"
 
@@ -46,6 +47,7 @@ std::unique_ptr<Source> Source::load(const std::string& path, std::uint64_t max_
     reason = std::strerror(errno);
     return nullptr;
   }
+  note_input_file(path, InputKind::Scene);
   if (is_gzip(file)) {
     std::fclose(file);
     const std::optional<std::string> text = read_gzip(path, max_size, reason);

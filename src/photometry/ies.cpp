@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/input_files.h"
+
 namespace oriel::photometry {
 namespace {
 
@@ -170,6 +172,7 @@ double read_tilt(const std::string& tilt, Reader& in, const std::string& folder,
                     name));
     return 1;
   }
+  note_input_file((std::filesystem::path(folder) / name).string(), InputKind::Frame);
   std::string text(std::size_t{1} << 16, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));

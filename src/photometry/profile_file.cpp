@@ -10,6 +10,7 @@
 #include <fstream>
 #include <numeric>
 
+#include "base/input_files.h"
 #include "photometry/eulumdat.h"
 #include "photometry/ies.h"
 
@@ -29,6 +30,7 @@ std::string read_text(const std::string& path) {
   if (!file)
     throw ProfileError(0, "the file does not exist or is not readable",
                        "check the file name and folder");
+  note_input_file(path, InputKind::Frame);
   std::string text(kMaxProfileBytes + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));

@@ -52,6 +52,14 @@ class FilmPlane {
   /// Whether any value is not 0.
   bool is_written() const;
 
+  /// Writes or reads the values, see Film.
+  template <class Checkpoint>
+  void visit_state(Checkpoint& checkpoint) {
+    checkpoint.array(positive_);
+    checkpoint.array(negative_);
+  }
+  bool is_finite() const;
+
  private:
   std::size_t width() const { return spec_.values * static_cast<std::size_t>(spec_.channels); }
 

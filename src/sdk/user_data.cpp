@@ -9,6 +9,8 @@
 #include <fstream>
 #include <vector>
 
+#include "base/input_files.h"
+
 namespace oriel::sdk {
 namespace {
 
@@ -113,6 +115,7 @@ Bytes of_file(const scene::UserData& data, Host& host) {
   const std::uintmax_t size = fs::file_size(path, error);
   Bytes bytes;
   if (!error && size <= kLargestFile) {
+    note_input_file(path.string(), InputKind::Frame);
     bytes.resize(size);
     std::ifstream file(path, std::ios::binary);
     if (file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
