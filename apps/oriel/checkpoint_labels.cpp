@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 #include "render/indirect_plan.h"
 #include "render_frames.h"
@@ -29,6 +30,25 @@ std::string label_name(const std::string& path, const std::string& folder) {
   return std::string(kFilePrefix) + (is_below ? relative : file.filename()).string();
 }
 
+bool is_file(const std::string& name) { return name.starts_with(kFilePrefix); }
+
+std::string shown_name(const std::string& name) {
+  return shown_label(is_file(name) ? name.substr(kFilePrefix.size()) : name);
+}
+
+std::string shown_value(const std::string& text) {
+  return text.empty() ? "not given" : "'" + shown_label(text) + "'";
+}
+
+/// A label that only one of the renders has.
+std::string lone_label(const std::string& name, const std::string& text, const char* when,
+                       const char* when_not) {
+  if (is_file(name))
+    return fmt::format("the file '{}' was read {} and not {}", shown_name(name), when, when_not);
+  return fmt::format("{} was {} {} and is unknown {}", shown_name(name), shown_value(text), when,
+                     when_not);
+}
+
 }  // namespace
 
 std::string program_label() {
@@ -44,6 +64,12 @@ CheckpointLabels option_labels(const RenderArguments& a) {
           {"--north", a.north ? fmt::format("{}", *a.north) : ""},
           {"--camera", a.camera},
           {"--frames", a.frames},
+          {"--samples", a.samples ? fmt::format("{}", *a.samples) : ""},
+          {"--noise", a.noise ? fmt::format("{}", *a.noise) : ""},
+          {"--size", a.size},
+          {"--crop", a.crop},
+          {"--gi", a.gi},
+          {"layers", a.layers},
           {"--light-group", fmt::format("{}", fmt::join(a.light_groups, "; "))},
           {"--clamp", fmt::format("{}", a.clamp)},
           {"--seed", fmt::format("{}", a.seed)}};
@@ -88,30 +114,26 @@ std::string shown_label(const std::string& text) {
 
 std::string label_difference(const CheckpointLabels& there, const CheckpointLabels& here,
                              bool some) {
-  const auto file_of = [](const std::string& name) {
-    return name.starts_with(kFilePrefix) ? shown_label(name.substr(kFilePrefix.size()))
-                                         : std::string();
-  };
-  const auto quoted = [](const std::string& text) {
-    return text.empty() ? std::string("not given") : "'" + shown_label(text) + "'";
-  };
+  std::vector<std::string> differences;
   for (const auto& [name, text] : there) {
     const auto found = here.find(name);
-    if (found != here.end() && found->second == text) continue;
-    if (const std::string file = file_of(name); !file.empty())
-      return fmt::format("the file '{}' {}", file,
-                         found == here.end() ? "is not read now" : "has changed");
-    return fmt::format("{} was {} and is {}", shown_label(name), quoted(text),
-                       found == here.end() ? "missing" : quoted(found->second));
+    if (found == here.end())
+      differences.push_back(lone_label(name, text, "then", "now"));
+    else if (found->second != text)
+      differences.push_back(is_file(name)
+                                ? fmt::format("the file '{}' has changed", shown_name(name))
+                                : fmt::format("{} was {} and is {}", shown_name(name),
+                                              shown_value(text), shown_value(found->second)));
   }
-  if (some) return {};
   for (const auto& [name, text] : here)
-    if (!there.contains(name)) {
-      if (const std::string file = file_of(name); !file.empty())
-        return fmt::format("the file '{}' was not read then", file);
-      return fmt::format("{} was missing and is {}", name, quoted(text));
-    }
-  return {};
+    if (!some && !there.contains(name))
+      differences.push_back(lone_label(name, text, "now", "then"));
+  constexpr std::size_t kMaxDifferences = 3;
+  if (differences.size() > kMaxDifferences) {
+    differences.resize(kMaxDifferences);
+    differences.emplace_back("...");
+  }
+  return fmt::format("{}", fmt::join(differences, ", "));
 }
 
 }  // namespace oriel::app

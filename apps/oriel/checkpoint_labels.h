@@ -18,10 +18,11 @@ inline constexpr const char* kProgramLabel = "program";
 /// Version and build of this program: the checksum of its file.
 std::string program_label();
 
-/// The options of the command line that decide the picture and are not part of the session.
+/// The options of the command line that decide the pictures, as they were given.
 CheckpointLabels option_labels(const RenderArguments& a);
 
-/// Adds the options of the session that decide the values of the film. Options that decide only
+/// Adds the settings of the session that decide the values of the film, some of them in place of
+/// options. Options that decide only
 /// how files show them, such as --bits, are not part of it, nor are threads and time limits.
 void add_session_labels(const RenderSession& session, CheckpointLabels& labels);
 
@@ -30,8 +31,8 @@ void add_session_labels(const RenderSession& session, CheckpointLabels& labels);
 /// count by size and modification time.
 void add_file_labels(const std::string& folder, InputKind kind, CheckpointLabels& labels);
 
-/// The first difference in words; empty if there is none. `some`: labels that are only in `here` do
-/// not count.
+/// The first differences in words; empty if there is none. `some`: labels that are only in `here`
+/// do not count.
 std::string label_difference(const CheckpointLabels& there, const CheckpointLabels& here,
                              bool some);
 

@@ -62,6 +62,8 @@ class Checkpoints {
   /// Writes the state while the session is paused, or with `at_end` after it ended. Returns false
   /// if this fails, which is reported.
   bool write(RenderSession& session, bool at_end = false);
+  /// Duration of the last write.
+  double write_seconds() const { return write_seconds_; }
   /// After a picture of an animation that is not the last one.
   void end_picture(RenderPlace place);
   /// After all pictures.
@@ -83,7 +85,7 @@ class Checkpoints {
   RenderPlace resumed_place_, place_;
   bool resumed_is_finished_ = false;
   CheckpointLabels picture_labels_;  ///< of the picture that is rendered
-  double write_seconds_ = 0;         ///< duration of the last write
+  double write_seconds_ = 0;
   std::atomic<Clock::time_point> next_;
 };
 

@@ -194,7 +194,8 @@ class FrameRenderer {
     } else if (a_.json) {
       print_json({{"event", "checkpoint"},
                   {"file", plan_.checkpoint.file},
-                  {"samples", session_->film().mean_samples()}});
+                  {"samples", session_->film().mean_samples()},
+                  {"seconds", checkpoints_.write_seconds()}});
     } else if (at_end && !a_.quiet) {
       fmt::print(stderr, "the render can be continued: --resume {}\n", plan_.checkpoint.file);
     }
