@@ -19,7 +19,8 @@ TEST_F(Checkpoints, TornOnesAreRefused) {
   const Words options = {"--samples", kMany};
   stop(options);
   const std::vector<char> whole = bytes_of(file("a.chk"));
-  const Words resuming = joined(options, {"--resume", "a.chk"});
+  // The limit ends a render that should have been refused.
+  const Words resuming = joined(options, {"--resume", "a.chk", "--time", ".01"});
   const Words message = {"cannot resume 'a.chk'", "render without --resume"};
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{39}, std::size_t{40},
                                  std::size_t{500}, whole.size() / 2, whole.size() - 1}) {

@@ -22,7 +22,8 @@ using testing::SceneText;
 SceneText room(const std::string& method) {
   SceneText scene(
       "trace depth 4 4 8 shadow segments caustic on filter mitchell 4 4 "
-      "\"light group key\" \"lamp*\" finalgather accuracy 16 photon trace depth 4 4 8");
+      "\"light group key\" \"lamp*\" samples 0 3 contrast .1 .1 .1 .1 finalgather accuracy 16 "
+      "photon trace depth 4 4 8");
   scene.method(method);
   scene.lambert("white", 0.6f).emitter("glow", 3);
   scene.box("white", Vec3(-2), Vec3(2), true);
@@ -111,6 +112,60 @@ TEST_F(SessionState, RoundTripIsExact) {
     }
     EXPECT_TRUE(a == b) << method;
   }
+}
+
+// Stopped in the middle of a pass that leaves out pixels: which ones, is not in the film.
+TEST_F(SessionState, AdaptivePassesContinue) {
+  SceneText scene = room("path");
+  scene.camera("focal 1 aperture 1 aspect 1 resolution 40 40");
+  const Probe probe(scene);
+  const SessionSettings settings;  // with the noise target of the scene for every pixel
+  RenderSession whole(probe.world(), settings), first(probe.world(), settings),
+      second(probe.world(), settings);
+  whole.run();
+  std::atomic<bool> cancel{false}, is_partial{false};
+  std::atomic<int> rows{0};
+  Progressive::Callbacks callbacks;
+  callbacks.pass = [&](const Progress& p) { is_partial = p.mean_samples >= 16 && p.active < 0.9; };
+  callbacks.wants_pause = [&] {
+    if (is_partial && ++rows > 40) cancel = true;
+    return false;
+  };
+  ASSERT_EQ(first.run(callbacks, &cancel), StopReason::Cancelled);
+  EXPECT_LT(first.film().mean_samples(), whole.film().mean_samples());
+  save(first);
+  CheckpointReader in(path());
+  second.restore(in);
+  EXPECT_EQ(second.run(), StopReason::Noise);
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x) {
+      ASSERT_EQ(second.film().samples(x, y), whole.film().samples(x, y)) << x << ' ' << y;
+      ASSERT_EQ(second.film().pixel(x, y).beauty, whole.film().pixel(x, y).beauty);
+    }
+}
+
+// The last sample of a pass is the 64th since the last test for a pause.
+TEST_F(SessionState, APauseAtTheEndOfAPassCountsIt) {
+  const Probe probe(room("path"));
+  SessionSettings settings = settings_of(probe.world().instances.size());
+  settings.budget.samples = 64;
+  RenderSession whole(probe.world(), settings), first(probe.world(), settings),
+      second(probe.world(), settings);
+  whole.run();
+  int pauses = 0;
+  Progressive::Callbacks callbacks;
+  callbacks.wants_pause = [&] { return pauses == 0 && first.film().mean_samples() == 32; };
+  callbacks.paused = [&] {
+    ++pauses;
+    save(first);
+  };
+  first.run(callbacks);
+  ASSERT_EQ(pauses, 1);
+  EXPECT_EQ(first.progress().pass, whole.progress().pass);
+  CheckpointReader in(path());
+  second.restore(in);
+  second.run();
+  EXPECT_EQ(second.progress().pass, whole.progress().pass);
 }
 
 TEST_F(SessionState, OtherSizesAreRefused) {
