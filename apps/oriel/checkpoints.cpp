@@ -124,7 +124,7 @@ void Checkpoints::refuse(const std::string& why, const std::string& what_to_do) 
 
 bool Checkpoints::is_finished(RenderPlace place) const {
   if (!resumed_) return false;
-  return resumed_is_finished_ ? place <= resumed_place_ : place < resumed_place_;
+  return place < resumed_place_ || (resumed_is_finished_ && place == resumed_place_);
 }
 
 void Checkpoints::require_same(const CheckpointLabels& here, bool of_finished) const {

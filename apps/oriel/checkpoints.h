@@ -32,7 +32,10 @@ CheckpointRequest checkpoint_request(const std::string& checkpoint, const std::s
 struct RenderPlace {
   int frame = 1;
   Eye eye = Eye::Middle;
-  auto operator<=>(const RenderPlace&) const = default;
+  bool operator==(const RenderPlace&) const = default;
+  bool operator<(const RenderPlace& o) const {
+    return frame != o.frame ? frame < o.frame : eye < o.eye;
+  }
 };
 
 /// Writes and reads the checkpoints of a process.

@@ -75,8 +75,8 @@ class Progressive {
   /// Then the pass continues.
   struct Callbacks {
     std::function<void(const Progress&)> progress, pass;
-    std::function<bool()> wants_pause = {};
-    std::function<void()> paused = {};
+    std::function<bool()> wants_pause;
+    std::function<void()> paused;
   };
 
   Progressive(Film& film, const RenderBudget& budget);

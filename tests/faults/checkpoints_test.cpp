@@ -178,16 +178,16 @@ TEST_F(Checkpoints, TheSecondInterruptKeepsTheLastOne) {
 }
 
 TEST_F(Checkpoints, TheTimeLimitLeavesOne) {
-  const Words options = {"--samples", "800", "--noise", "1e-6"};
+  const Words options = {"--samples", "500", "--noise", "1e-6"};
   const std::vector<char> whole = uninterrupted(options);
   const RunResult r =
-      render(joined(options, {"-o", "a.exr", "--checkpoint", "a.chk", "--time", ".3", "--json"}));
+      render(joined(options, {"-o", "a.exr", "--checkpoint", "a.chk", "--time", ".2", "--json"}));
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_NE(r.out.find("\"stopped_by\":\"time\""), std::string::npos) << r.out;
   ASSERT_TRUE(there("a.chk"));
   // The limit counts for each run.
   const RunResult more =
-      render(joined(options, {"-o", "a.exr", "--resume", "a.chk", "--time", ".3", "--json"}));
+      render(joined(options, {"-o", "a.exr", "--resume", "a.chk", "--time", ".2", "--json"}));
   EXPECT_NE(more.out.find("\"stopped_by\":\"time\""), std::string::npos) << more.out;
   EXPECT_TRUE(resume(options) == whole);
 }
