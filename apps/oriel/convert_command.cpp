@@ -20,14 +20,17 @@ struct QuickArguments : ConvertArguments {
   std::optional<int> samples;
   int threads = 0, cryptomatte = 0;
   bool denoise = true, json = false;
-  std::string time, noise, layers;  ///< as written, for oriel render
+  std::string time, noise, layers, checkpoint, resume;  ///< as written, for oriel render
 
   /// The command that renders the scene.
   std::vector<std::string> render_words(const std::string& scene) const {
     constexpr int kSamples = 64;
     std::vector<std::string> words = {"render", scene, "-o", output};
-    for (const auto& [option, text] :
-         {std::pair("--time", &time), {"--noise", &noise}, {"--layers", &layers}})
+    for (const auto& [option, text] : {std::pair("--time", &time),
+                                       {"--noise", &noise},
+                                       {"--layers", &layers},
+                                       {"--checkpoint", &checkpoint},
+                                       {"--resume", &resume}})
       if (!text->empty()) words.insert(words.end(), {option, *text});
     if (samples || (time.empty() && noise.empty()))
       words.insert(words.end(), {"--samples", std::to_string(samples.value_or(kSamples))});
@@ -130,6 +133,10 @@ Command add_quick_command(CLI::App& program) {
   command->add_option("--time", a->time, "Time limit in seconds (default none)");
   command->add_option("--noise", a->noise, "Noise target, as in oriel render");
   command->add_option("--layers", a->layers, "Layers of EXR files, as in oriel render");
+  command->add_option("--checkpoint", a->checkpoint, "Checkpoint file, as in oriel render")
+      ->type_name("FILE[,every SECONDS]");
+  command->add_option("--resume", a->resume, "Continue a checkpoint, as in oriel render")
+      ->type_name("FILE");
   command->add_flag("--cryptomatte{6}", a->cryptomatte, "Cryptomatte layers of EXR files");
   command->add_flag("--json", a->json, "Print progress as lines of JSON");
   command->add_flag("--denoise,!--no-denoise", a->denoise, "Denoise the picture (default on)");

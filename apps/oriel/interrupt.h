@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Signals that end a render: the first ends it with its picture, another one ends the program.
+// SIGUSR1 writes a checkpoint.
 #pragma once
 
 #include <atomic>
@@ -8,6 +9,9 @@ namespace oriel::app {
 
 /// True from the first SIGINT, SIGTERM or SIGHUP on, and when a user's shader ends the render.
 std::atomic<bool>& interrupted();
+
+/// True from SIGUSR1 on, until it is set to false: write a checkpoint now.
+std::atomic<bool>& checkpoint_requested();
 
 /// Installs the handlers. The second SIGINT or SIGTERM ends the program at once; SIGHUP never does,
 /// and is ignored under nohup.

@@ -76,6 +76,20 @@ void add_picture_options(CLI::App& app, RenderArguments& a) {
   add_denoiser_option(app, a.denoiser);
 }
 
+void add_checkpoint_options(CLI::App& app, RenderArguments& a) {
+  app.add_option("--checkpoint", a.checkpoint,
+                 "Write the state of the render to FILE every SECONDS (default 300, or longer if "
+                 "writing takes more than 1 % of the time), at SIGUSR1, and when the render is "
+                 "interrupted or ends by --time. A finished render removes it")
+      ->type_name("FILE[,every SECONDS]");
+  app.add_option("--resume", a.resume,
+                 "Continue the render of a checkpoint, with the same scene and options; the "
+                 "picture is the same as without the interruption. FILE is also written, unless "
+                 "--checkpoint names another one. If --checkpoint names FILE and it does not "
+                 "exist, the render starts")
+      ->type_name("FILE");
+}
+
 }  // namespace
 
 Command add_render_command(CLI::App& program) {
@@ -141,6 +155,7 @@ Command add_render_command(CLI::App& program) {
       "--unit-luminance", a->unit_luminance,
       "cd/m2 of one pixel unit (default: from the exposure or sky of the scene, else 1)");
   add_picture_options(*app, *a);
+  add_checkpoint_options(*app, *a);
   app->add_option("--seed", a->seed, "Random seed (default 0)");
   app->add_option("--texture-cache", a->texture_cache,
                   "Texture cache size in MB (default 1024, minimum 16)")

@@ -10,10 +10,12 @@
 #include <new>
 #include <stdexcept>
 
+#include "base/input_files.h"
 #include "base/parallel.h"
+#include "checkpoint_labels.h"
 #include "denoiser_option.h"
+#include "done_line.h"
 #include "frame_pictures.h"
-#include "image/texture_statistics.h"
 #include "interrupt.h"
 #include "output/exposure_check.h"
 #include "output/matte_layers.h"
@@ -68,7 +70,8 @@ class FrameRenderer {
         code_(arguments.scene, diagnostics),
         roots_(plan.roots.value_or(roots_of(arguments.scene))),
         line_(ProgressLine::style_for(a_.json, a_.quiet)),
-        pictures_(roots_, a_.live, diagnostics) {}
+        pictures_(roots_, a_.live, diagnostics),
+        checkpoints_(plan.checkpoint, a_.scene.path, option_labels(a_), diagnostics) {}
 
   /// Every frame passes here before it is rendered or not. False: it is not wanted.
   bool begin(const scene::RenderCommand& command, int frame) {
@@ -88,13 +91,15 @@ class FrameRenderer {
     name_files(command, frame);  // an edit may have changed them
     if (!pictures_.test(frame_files_.all(), command.where)) return true;
     for (const Eye eye : eyes)
-      if (!interrupted() && !render(command, frame, eye, is_last && eye == eyes.back()))
+      if (!interrupted() && !checkpoints_.is_finished({frame, eye}) &&
+          !render(command, frame, eye, is_last && eye == eyes.back()))
         return false;
     return true;
   }
 
   /// Unloads the shader libraries, whose last functions may still report errors.
   void close() {
+    if (!stays_ && !interrupted()) checkpoints_.remove();
     session_.reset();
     world_.reset();
     host_.reset();
@@ -113,6 +118,7 @@ class FrameRenderer {
     PrepareReport report;
     if (world_) cache_.keep(*world_);
     world_.reset();
+    forget_frame_inputs();
     code_.compile(scene_);
     host_.emplace(scene_, builtin_shaders(), code_.trusted_folders(), diagnostics_, &interrupted());
     sdk::set_output_roots(roots_);
@@ -143,11 +149,13 @@ class FrameRenderer {
     settings.started = begun_;
     if (!fits(film_bytes(*world_, settings), command)) return false;
     session_.emplace(*world_, settings);
+    checkpoints_.begin({frame, eye}, *session_);
     last_write_ = Clock::now();
-    const StopReason reason = session_->run(
-        {[this](const Progress& p) { line_.update(p); }, [this](const Progress& p) { on_pass(p); }},
-        &interrupted());
+    const StopReason reason = run_session();
     line_.clear();
+    const bool unfinished =
+        reason == StopReason::Cancelled || (reason == StopReason::Time && is_last);
+    if (unfinished) write_checkpoint(true);
     if (reason == StopReason::MapsOnly) return end_shaders(), finish(reason), true;
     if (session_->film().light_layers() > 0 && session_->has_unknown_light())
       diagnostics_.note(
@@ -155,7 +163,12 @@ class FrameRenderer {
           "the light group of light from map files, of interpolated reflections and of "
           "shaders that return finished colours is unknown; it is in the layer "
           "light_indirect");
+    const std::size_t errors = diagnostics_.count(Severity::Error);
     write_pictures(reason);
+    const bool lost = diagnostics_.count(Severity::Error) > errors;
+    stays_ = unfinished || (lost && is_last);
+    if (stays_ && !unfinished) write_checkpoint(true);
+    if (!stays_ && !is_last) checkpoints_.end_picture({frame, eye});
     end_shaders();
     finish(reason);
     begun_ = Clock::now();
@@ -173,6 +186,33 @@ class FrameRenderer {
         "choose a lower resolution, --crop or fewer layers; " +
             SceneBudgets::hint(Budget::Pixels, bytes));
     return false;
+  }
+
+  StopReason run_session() {
+    Progressive::Callbacks callbacks;
+    callbacks.progress = [this](const Progress& p) { line_.update(p); };
+    callbacks.pass = [this](const Progress& p) { on_pass(p); };
+    if (checkpoints_.writes()) {
+      callbacks.wants_pause = [this] { return checkpoints_.is_due(); };
+      callbacks.paused = [this] { write_checkpoint(false); };
+    }
+    return session_->run(callbacks, &interrupted());
+  }
+
+  void write_checkpoint(bool at_end) {
+    if (!checkpoints_.writes() || !session_->can_save()) return;
+    const bool written = checkpoints_.write(*session_, at_end);
+    if (!written) {
+      line_.clear();
+      printer_.print_new();
+    } else if (a_.json) {
+      print_json({{"event", "checkpoint"},
+                  {"file", plan_.checkpoint.file},
+                  {"samples", session_->film().mean_samples()},
+                  {"seconds", checkpoints_.write_seconds()}});
+    } else if (at_end && !a_.quiet) {
+      fmt::print(stderr, "the render can be continued: --resume {}\n", plan_.checkpoint.file);
+    }
   }
 
   /// After the files: output shaders belong to the frame.
@@ -379,25 +419,10 @@ class FrameRenderer {
   void finish(StopReason reason) {
     printer_.print_new();
     const Progress p = session_->progress();
-    constexpr const char* kReasons[] = {"samples", "noise", "time", "interrupted", "maps only"};
-    if (a_.json) {
-      nlohmann::json line = {{"event", "done"},
-                             {"stopped_by", kReasons[static_cast<int>(reason)]},
-                             {"samples", p.mean_samples},
-                             {"elapsed", p.elapsed},
-                             {"rays", session_->rays().rays()},
-                             {"files", nlohmann::json::array()}};
-      if (p.noise) line["noise"] = *p.noise;
-      if (const TextureStatistics t = texture_statistics(); t.files > 0)
-        line["textures"] = {{"files", t.files},
-                            {"tile_requests", t.tile_requests},
-                            {"tile_misses", t.tile_misses},
-                            {"bytes_read", t.bytes_read},
-                            {"bytes_held", t.bytes_held}};
-      if (reason != StopReason::MapsOnly)
-        for (const std::string& file : pictures_.written()) line["files"].push_back(file);
-      return print_json(line);
-    }
+    if (a_.json)
+      return print_done_line(
+          *session_, reason,
+          reason == StopReason::MapsOnly ? std::vector<std::string>() : pictures_.written());
     if (a_.quiet) return;
     if (reason == StopReason::MapsOnly) {
       fmt::print(stderr, "maps of indirect light alone, as the options ask: no picture\n");
@@ -432,6 +457,8 @@ class FrameRenderer {
   std::string denoiser_;  ///< that made it
   std::vector<PictureFile> files_;
   FramePictures pictures_;
+  Checkpoints checkpoints_;
+  bool stays_ = false;  ///< the checkpoint, since its picture can go on
   PictureState state_ = PictureState::Empty;
   Clock::time_point begun_ = process_start();  ///< of the picture, for --time
   Clock::time_point last_write_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "checkpoints.h"
 #include "frames.h"
 #include "mi/reader.h"
 #include "output/camera_output.h"
@@ -41,7 +42,8 @@ struct RenderArguments {
   float clamp = 0;  ///< SessionSettings::clamp
   std::string exr;  ///< precision and compression of EXR files
   bool timestamps = false;
-  int bits = 0;  ///< per channel of PNG and TIFF files; 0 = their default
+  std::string checkpoint, resume;  ///< see checkpoint_request()
+  int bits = 0;                    ///< per channel of PNG and TIFF files; 0 = their default
 };
 
 /// What the arguments mean, checked before anything is read.
@@ -55,6 +57,7 @@ struct RenderPlan {
   std::optional<ExrPrecision> precision;
   std::optional<ExrCompression> compression;
   FrameList frames;
+  CheckpointRequest checkpoint;
   /// Where scenes read maps and write files; unset: in the scene's folder.
   std::optional<OutputRoots> roots;
 };

@@ -107,6 +107,7 @@ RenderPlan render_plan(const RenderArguments& a) {
     throw UsageError(
         fmt::format("--light-group: the maximum is {} groups", scene::kMaxLightGroups));
   if (!a.frames.empty()) plan.frames = FrameList(a.frames);
+  plan.checkpoint = checkpoint_request(a.checkpoint, a.resume);
   if (!a.sun.empty()) plan.sun = read_sun("--sun", a.sun);
   if (a.north && !plan.sun) throw UsageError("--north requires --sun");
   if (!a.layers.empty()) plan.layers = parse_layers(a.layers);

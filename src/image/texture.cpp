@@ -7,6 +7,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "base/input_files.h"
 #include "image/module.h"
 #include "image/texture_statistics.h"
 
@@ -29,6 +30,7 @@ std::atomic<bool> has_module{false};
 
 TextureSystem::Opened TextureSystem::open(const std::string& path, float gamma,
                                           std::uint64_t most_tile_bytes) {
+  note_input_file(path, InputKind::Frame);
   const std::lock_guard lock(mutex_);
   const auto [entry, is_new] = textures_.try_emplace({path, gamma}, nullptr);
   if (!is_new) return {entry->second.get(), {}};

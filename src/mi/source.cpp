@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "base/input_files.h"
 #include "mi/utf16.h"
 
 namespace oriel::mi {
@@ -28,6 +29,7 @@ Source::Source(std::size_t size, std::string path)
 
 std::unique_ptr<Source> Source::load(OpenFile& file, const std::string& path,
                                      const TextLimits& limits, SourceFault& fault) {
+  note_input_file(path, InputKind::Scene);
   if (is_gzip(file)) {
     const std::optional<std::string> text = read_gzip(file, limits, fault);
     return text ? from_text(*text, path) : nullptr;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/input_files.h"
+
 namespace oriel::photometry {
 namespace {
 
@@ -172,6 +174,7 @@ double read_tilt(const std::string& tilt, Reader& in, const std::string& folder,
                     name));
     return 1;
   }
+  note_input_file((std::filesystem::path(folder) / name).string(), InputKind::Frame);
   const std::string text = file.read(std::size_t{1} << 16);
   Reader factors(text);
   try {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "base/input_files.h"
 #include "photometry/eulumdat.h"
 #include "photometry/ies.h"
 
@@ -27,6 +28,7 @@ std::string read_text(OpenFile& file) {
   if (!file)
     throw ProfileError(0, "the file does not exist or is not readable",
                        "check the file name and folder");
+  note_input_file(file.path(), InputKind::Frame);
   std::string text = file.read(kMaxProfileBytes + 1);
   if (text.size() > kMaxProfileBytes)
     throw ProfileError(0, fmt::format("it is larger than {} MB", kMaxProfileBytes >> 20),

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "render/cache_state.h"
 #include "transport/gather/gather_map.h"
-#include "transport/gather/gather_passes.h"
 #include "transport/photon/photon_trace.h"
 
 namespace oriel {
@@ -145,6 +145,11 @@ void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {
     photons_ = trace_photons(world_, settings, p.counts, nullptr, p.monitor);
     if (!file.empty() && !p.monitor.cancelled()) write_photons(file, photons_, p.diagnostics);
   }
+  use_photon_maps();
+}
+
+void CachedIntegrator::use_photon_maps() {
+  const scene::RenderOptions& options = world_.options;
   const geom::Box3 box = world_.accel->bounds();
   if (plan_.global) maps_.global = &photons_.global;
   if (plan_.caustic) maps_.caustic = &photons_.caustic;
@@ -152,12 +157,11 @@ void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {
   maps_.caustic_lookup = photon_lookup(options.caustic, box, PhotonKind::Caustic);
 }
 
-void CachedIntegrator::gather(const IntegratorPreparation& p) {
-  const scene::FinalGatherOptions& options = world_.options.finalgather;
+GatherPasses CachedIntegrator::gather_passes(std::uint32_t seed) {
   GatherPasses passes;
   passes.records = gather_settings(world_.options, world_.accel->bounds());
-  passes.density = options.presample_density;
-  passes.seed = p.seed;
+  passes.density = world_.options.finalgather.presample_density;
+  passes.seed = seed;
   // Photons bring all further bounces of finite lights. Those of the sky and of emissive surfaces
   // are gathered, except in scenes whose own statements enable both, where the manual omits them.
   if (plan_.global)
@@ -165,14 +169,30 @@ void CachedIntegrator::gather(const IntegratorPreparation& p) {
   paths_ = passes.records.path;
   passes.covered.accuracy = kGatherError;
   passes.covered.radii = passes.records.radii;
+  return passes;
+}
+
+void CachedIntegrator::use_bounces() {
+  maps_.bounces = &bounces_.cache;
+  maps_.bounces_query = bounces_.query;
+  maps_.bounces_held = bounces_.held;
+}
+
+void CachedIntegrator::use_gather_points(const GatherPasses& passes) {
+  maps_.gather = &cache_;
+  maps_.query = gather_query(world_.options.finalgather, passes.records.radii);
+  maps_.gather_scale = rgb(world_.options.finalgather.scale);
+}
+
+void CachedIntegrator::gather(const IntegratorPreparation& p) {
+  const scene::FinalGatherOptions& options = world_.options.finalgather;
+  GatherPasses passes = gather_passes(p.seed);
   if (paths_.diffuse_bounces > 0) {
     GatherSettings behind = passes.records;
     behind.path.finite_lights = !plan_.global;
     bounces_ = gather_bounces(world_, first_gather_points(world_, p.window, passes, p.counts),
                               behind, p.seed, p.counts, p.monitor);
-    maps_.bounces = &bounces_.cache;
-    maps_.bounces_query = bounces_.query;
-    maps_.bounces_held = bounces_.held;
+    use_bounces();
   }
   const IndirectCaches behind = maps_;
   if (plan_.global || plan_.caustic || maps_.bounces) passes.records.path.maps = &behind;
@@ -186,15 +206,47 @@ void CachedIntegrator::gather(const IntegratorPreparation& p) {
           read_files_ |= cache_.insert(*records) > 0;
   cache_.settle_radii();
 
-  maps_.gather = &cache_;
-  maps_.query = gather_query(options, passes.records.radii);
-  maps_.gather_scale = rgb(options.scale);
+  use_gather_points(passes);
   if (options.rebuild == Rebuild::Freeze && !p.files.gather.empty()) return;
   const std::size_t before = cache_.records().size();
   gather_for_picture(world_, p.window, passes, cache_, p.counts, p.monitor, p.after_pass);
   const bool changed = cache_.records().size() > before || options.rebuild == Rebuild::On;
   if (!p.files.gather.empty() && changed && !p.monitor.cancelled())
     save_gather_map(cache_.records(), p.files.gather.front(), p.diagnostics);
+}
+
+void CachedIntegrator::save(CheckpointWriter& out) {
+  out.value(static_cast<std::uint8_t>(read_files_));
+  photons_.global.visit_state(out);
+  photons_.caustic.visit_state(out);
+  save_cache(out, bounces_.cache);
+  out.value(static_cast<std::int32_t>(bounces_.held));
+  save_cache(out, cache_);
+}
+
+void CachedIntegrator::restore(CheckpointReader& in, const IntegratorPreparation& p) {
+  std::uint8_t read_files = 0;
+  in.value(read_files);
+  read_files_ = read_files != 0;
+  for (PhotonMap* map : {&photons_.global, &photons_.caustic}) {
+    map->visit_state(in);
+    if (!map->is_valid()) throw CheckpointError("its photons are invalid");
+  }
+  bounces_.cache = restore_cache(in);
+  std::int32_t held = 0;
+  in.value(held);
+  if (held < 0 || held > PathSettings::kAllBounces)
+    throw CheckpointError("its gather points are invalid");
+  bounces_.held = held;
+  cache_ = restore_cache(in);
+  if (plan_.global || plan_.caustic) use_photon_maps();
+  if (plan_.gather) {
+    const GatherPasses passes = gather_passes(p.seed);
+    bounces_.query = bounces_query(world_);
+    if (paths_.diffuse_bounces > 0) use_bounces();
+    use_gather_points(passes);
+  }
+  grid_.emplace(world_, path_settings(), p.seed, p.counts);
 }
 
 }  // namespace oriel

@@ -7,6 +7,7 @@
 #include "render/integrator.h"
 #include "transport/gather/gather_bounces.h"
 #include "transport/gather/gather_cache.h"
+#include "transport/gather/gather_passes.h"
 #include "transport/indirect_caches.h"
 #include "transport/path/glossy_grid.h"
 #include "transport/path/path.h"
@@ -32,6 +33,8 @@ class CachedIntegrator final : public Integrator {
   explicit CachedIntegrator(const World& world);
 
   void prepare(const IntegratorPreparation& p) override;
+  void save(CheckpointWriter& out) override;
+  void restore(CheckpointReader& in, const IntegratorPreparation& p) override;
   void trace(const Camera::Ray& eye, Vec2 raster, float paths_of_pixel, PathRecord& record,
              sampling::Sampler& sampler, RayCounts& counts) const override;
   bool has_caches() const override { return plan_.maps(); }
@@ -41,7 +44,11 @@ class CachedIntegrator final : public Integrator {
 
  private:
   void trace_photon_maps(const IntegratorPreparation& p);
+  void use_photon_maps();
+  GatherPasses gather_passes(std::uint32_t seed);
   void gather(const IntegratorPreparation& p);
+  void use_bounces();
+  void use_gather_points(const GatherPasses& passes);
   PathSettings path_settings() const;
   /// The grid's points were found through the middle of the lens; other lens rays see others.
   bool reads_grid() const { return grid_ && !grid_->empty() && world_.lens_rays.empty(); }

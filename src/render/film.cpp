@@ -215,6 +215,29 @@ void Film::clear() {
   for (FilmPlane& plane : planes_) plane.clear();
 }
 
+bool Film::is_valid(std::uint32_t most) const {
+  const auto valid = [&](const PixelMeans& m) {
+    const float* const powers = m.at_powers.data();
+    return m.samples <= most && m.hits <= m.samples && is_finite(m.beauty) &&
+           is_finite(m.beauty_m2) && is_finite(m.second) &&
+           is_finite(Vec3(powers[0], powers[1], powers[2])) &&
+           is_finite(Vec3(m.alpha, m.depth, m.irradiance)) && is_finite(m.normal) &&
+           is_finite(m.albedo);
+  };
+  const auto valid_parts = [](const SubPixelMeans& parts) {
+    return std::isfinite(parts.m2) && std::all_of(parts.beauty.begin(), parts.beauty.end(),
+                                                  [](const Rgb& c) { return is_finite(c); });
+  };
+  for (std::size_t i = 0; i < positive_.size(); ++i)
+    if (!valid(positive_[i]) || (!negative_.empty() && !valid(negative_[i])) ||
+        positive_[i].samples > most - (negative_.empty() ? 0 : negative_[i].samples))
+      return false;
+  return std::all_of(positive_parts_.begin(), positive_parts_.end(), valid_parts) &&
+         std::all_of(negative_parts_.begin(), negative_parts_.end(), valid_parts) &&
+         std::all_of(planes_.begin(), planes_.end(),
+                     [](const FilmPlane& plane) { return plane.is_finite(); });
+}
+
 double Film::mean_samples() const {
   double sum = 0;  // double: counts of millions of pixels
   for (std::size_t i = 0; i < positive_.size(); ++i) sum += samples(i);

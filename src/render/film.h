@@ -184,6 +184,18 @@ class Film {
 
   const std::vector<PixelMeans>& positive() const { return positive_; }
 
+  /// Writes all pixels to a CheckpointWriter, or reads them from a CheckpointReader into a film of
+  /// the same settings.
+  template <class Checkpoint>
+  void visit_state(Checkpoint& checkpoint) {
+    checkpoint.array(positive_), checkpoint.array(negative_);
+    checkpoint.array(positive_parts_), checkpoint.array(negative_parts_);
+    for (FilmPlane& plane : planes_) plane.visit_state(checkpoint);
+  }
+  /// Whether all values are finite and no pixel has more than `most` samples; of a film that was
+  /// read.
+  bool is_valid(std::uint32_t most) const;
+
  private:
   void add_planes();
   void clip(std::size_t pixel, Rgb& part) const;

@@ -53,4 +53,11 @@ bool FilmPlane::is_written() const {
   return holds(positive_) || holds(negative_);
 }
 
+bool FilmPlane::is_finite() const {
+  const auto finite = [](const std::vector<float>& values) {
+    return std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); });
+  };
+  return finite(positive_) && finite(negative_);
+}
+
 }  // namespace oriel

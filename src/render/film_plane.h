@@ -53,6 +53,14 @@ class FilmPlane {
   bool is_written() const;
   std::size_t bytes() const { return (positive_.size() + negative_.size()) * sizeof(float); }
 
+  /// Writes or reads the values, see Film.
+  template <class Checkpoint>
+  void visit_state(Checkpoint& checkpoint) {
+    checkpoint.array(positive_);
+    checkpoint.array(negative_);
+  }
+  bool is_finite() const;
+
  private:
   std::size_t width() const { return spec_.values * static_cast<std::size_t>(spec_.channels); }
 

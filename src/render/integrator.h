@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/checkpoint_file.h"
 #include "base/diagnostic.h"
 #include "runtime/camera.h"
 #include "runtime/window.h"
@@ -56,6 +57,12 @@ class Integrator {
   ///          the pixel gets in all; record: empty, as after reset().
   virtual void trace(const Camera::Ray& eye, Vec2 raster, float paths_of_pixel, PathRecord& record,
                      sampling::Sampler& sampler, RayCounts& counts) const = 0;
+
+  /// Writes what prepare() computed to a checkpoint.
+  virtual void save(CheckpointWriter&) {}
+  /// Reads it instead of prepare().
+  /// Errors:  CheckpointError.
+  virtual void restore(CheckpointReader&, const IntegratorPreparation&) {}
 
   /// Whether prepare() has work.
   virtual bool has_caches() const { return false; }

@@ -2,6 +2,7 @@
 #include "render/mattes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace oriel {
@@ -29,6 +30,54 @@ void Mattes::add(int x, int y, std::span<const FirstSurface> seen, bool negative
 
 void Mattes::clear() {
   for (std::vector<Entry>& entries : pixels_) entries.clear();
+}
+
+void Mattes::save(CheckpointWriter& out, const std::vector<Material>& materials) const {
+  std::vector<std::uint32_t> counts;
+  std::vector<std::int32_t> surfaces;  // two numbers for each entry
+  std::vector<float> samples;          // the same
+  for (const std::vector<Entry>& entries : pixels_) {
+    counts.push_back(static_cast<std::uint32_t>(entries.size()));
+    for (const Entry& e : entries) {
+      const auto material = e.seen.material ? e.seen.material - materials.data() : -1;
+      surfaces.insert(surfaces.end(), {e.seen.instance, static_cast<std::int32_t>(material)});
+      samples.insert(samples.end(), {e.positive, e.negative});
+    }
+  }
+  out.array(counts);
+  out.list(surfaces);
+  out.list(samples);
+}
+
+void Mattes::restore(CheckpointReader& in, const std::vector<Material>& materials,
+                     std::size_t instances) {
+  std::vector<std::uint32_t> counts(pixels_.size());
+  std::vector<std::int32_t> surfaces;
+  std::vector<float> samples;
+  in.array(counts);
+  in.list(surfaces);
+  in.list(samples);
+  std::size_t at = 0;
+  const auto require = [](bool condition) {
+    if (!condition) throw CheckpointError("its Cryptomattes are invalid");
+  };
+  require(surfaces.size() == samples.size());
+  const auto below = [](std::int32_t index, std::size_t count) {
+    return index >= -1 && index < static_cast<std::int64_t>(count);
+  };
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    require(counts[i] <= (surfaces.size() - at) / 2);
+    pixels_[i].clear();
+    for (const std::size_t end = at + std::size_t{counts[i]} * 2; at < end; at += 2) {
+      const std::int32_t instance = surfaces[at], material = surfaces[at + 1];
+      require(below(instance, instances) && below(material, materials.size()));
+      require(samples[at] >= 0 && std::isfinite(samples[at]) && samples[at + 1] >= 0 &&
+              std::isfinite(samples[at + 1]));
+      const FirstSurface seen{instance, material < 0 ? nullptr : &materials[std::size_t(material)]};
+      pixels_[i].push_back({seen, samples[at], samples[at + 1]});
+    }
+  }
+  require(at == surfaces.size());
 }
 
 std::vector<Mattes::Share> Mattes::shares(int x, int y) const {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/checkpoint_file.h"
 #include "render/filter.h"
 #include "transport/path/path.h"
 
@@ -51,6 +52,10 @@ class Mattes {
   /// on.
   std::vector<Share> shares(int x, int y) const;
   const MatteNames& names() const { return names_; }
+
+  void save(CheckpointWriter& out, const std::vector<Material>& materials) const;
+  /// Errors:  CheckpointError.
+  void restore(CheckpointReader& in, const std::vector<Material>& materials, std::size_t instances);
 
  private:
   struct Entry {

@@ -113,11 +113,36 @@ double Progressive::elapsed() const {
 }
 
 void Progressive::begin_at(std::chrono::steady_clock::time_point start) {
-  state_.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::chrono::duration<double> run = std::chrono::steady_clock::now() - start;
+  state_.elapsed = elapsed_elsewhere_ + run.count();
 }
 
 bool Progressive::out_of_time() const {
-  return budget_.seconds > 0 && state_.pass > 0 && elapsed() >= budget_.seconds;
+  return budget_.seconds > 0 && state_.pass > 0 && elapsed_here() >= budget_.seconds;
+}
+
+bool Progressive::restore(State state) {
+  if (state.active.size() != film_.pixel_count() || state.pass < 0 ||
+      state.target > budget_.max_samples || !(state.elapsed >= 0) ||
+      !film_.is_valid(state.target) ||
+      std::any_of(state.active.begin(), state.active.end(), [](auto a) { return a > 1; }))
+    return false;
+  state_ = std::move(state);
+  elapsed_elsewhere_ = state_.elapsed;
+  return true;
+}
+
+bool Progressive::pass_is_complete() const {
+  for (std::size_t i = 0; i < state_.active.size(); ++i)
+    if (state_.active[i] && film_.samples(i) < state_.target) return false;
+  return true;
+}
+
+bool Progressive::must_stop(const Callbacks& callbacks, const std::atomic<bool>* cancel) {
+  if (cancel && *cancel) cancelled_ = true;
+  if (out_of_time()) timed_out_ = true;
+  if (!paused_ && callbacks.wants_pause && callbacks.wants_pause()) paused_ = true;
+  return cancelled_ || timed_out_ || paused_;
 }
 
 /// The noise by which each pixel is judged.
@@ -220,7 +245,7 @@ void Progressive::estimate(double seconds_of_run, double samples_of_run) {
   samples_in_all_ = last_.mean_samples + (pixels > 0 ? missing / pixels : 0);
   if (samples_of_run > 0) last_.remaining = missing * seconds_of_run / samples_of_run;
   if (budget_.seconds > 0) {
-    const double left = std::max(budget_.seconds - elapsed(), 0.0);
+    const double left = std::max(budget_.seconds - elapsed_here(), 0.0);
     last_.remaining = std::min(last_.remaining.value_or(left), left);
   }
   last_.done = std::max(before, done_share(last_.mean_samples));
@@ -228,7 +253,7 @@ void Progressive::estimate(double seconds_of_run, double samples_of_run) {
 
 double Progressive::done_share(double mean_samples) const {
   double done = samples_in_all_ > 0 ? mean_samples / samples_in_all_ : 0;
-  if (budget_.seconds > 0) done = std::max(done, elapsed() / budget_.seconds);
+  if (budget_.seconds > 0) done = std::max(done, elapsed_here() / budget_.seconds);
   return std::clamp(done, 0.0, 1.0);
 }
 
@@ -248,9 +273,7 @@ void Progressive::render_tile(int tile, const std::function<std::uint64_t(const 
   const int x0 = tile % across * kTile, y0 = tile / across * kTile;
   const int x1 = std::min(x0 + kTile, film_.width()), y1 = std::min(y0 + kTile, film_.height());
   for (int y = y0; y < y1; ++y) {
-    if (cancel && *cancel) cancelled_ = true;
-    if (out_of_time()) timed_out_ = true;
-    if (cancelled_ || timed_out_) return;
+    if (must_stop(callbacks, cancel)) return;
     drawn_ += render_row({x0, x1, y});
   }
 
@@ -263,34 +286,43 @@ void Progressive::render_tile(int tile, const std::function<std::uint64_t(const 
   callbacks.progress(p);
 }
 
+/// Draws the samples of a pass, with pauses.
+void Progressive::run_pass(const std::function<std::uint64_t(const Row&)>& render_row,
+                           const Callbacks& callbacks, const std::atomic<bool>* cancel) {
+  const auto tiles = static_cast<std::size_t>(tiles_across(film_.width())) *
+                     static_cast<std::size_t>(tiles_across(film_.height()));
+  bool complete = false;
+  do {
+    paused_ = false;
+    parallel_for(tiles, [&](std::size_t tile) {
+      render_tile(static_cast<int>(tile), render_row, callbacks, cancel);
+    });
+    const bool stopped = paused_ || cancelled_ || timed_out_;
+    complete = !stopped || pass_is_complete();
+    if (complete) ++state_.pass;
+    if (paused_ && callbacks.paused) callbacks.paused();
+  } while (!complete && !cancelled_ && !timed_out_);
+}
+
 StopReason Progressive::run_rows(const std::function<std::uint64_t(const Row&)>& render_row,
                                  const Callbacks& callbacks, const std::atomic<bool>* cancel) {
   start_ = std::chrono::steady_clock::now();
   const double elapsed_before = state_.elapsed;
-  cancelled_ = timed_out_ = false;
+  cancelled_ = timed_out_ = paused_ = false;
   drawn_ = pass_start_samples_ = 0;
   last_report_ = elapsed();
   estimate(0, 0);
 
   // An interrupted pass is completed first, with its active pixels and target.
-  bool chosen = state_.target > 0 &&
-                std::any_of(state_.active.begin(), state_.active.end(), [&](const auto& a) {
-                  return a && film_.samples(static_cast<std::size_t>(&a - state_.active.data())) <
-                                  state_.target;
-                });
+  bool chosen = state_.target > 0 && !pass_is_complete();
   std::optional<StopReason> stop;
   while (!stop) {
     if (!chosen) stop = begin_pass();
     chosen = false;
     if (stop) break;
-    const auto tiles = static_cast<std::size_t>(tiles_across(film_.width())) *
-                       static_cast<std::size_t>(tiles_across(film_.height()));
-    parallel_for(tiles, [&](std::size_t tile) {
-      render_tile(static_cast<int>(tile), render_row, callbacks, cancel);
-    });
+    run_pass(render_row, callbacks, cancel);
     if (cancelled_) stop = StopReason::Cancelled;
     if (timed_out_) stop = StopReason::Time;
-    if (!stop) ++state_.pass;
     const double seconds = elapsed() - elapsed_before;
     estimate(seconds, static_cast<double>(drawn_));
     last_.elapsed = elapsed();

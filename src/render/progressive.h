@@ -67,12 +67,16 @@ class Progressive {
     std::int32_t pass = 0;
     std::uint32_t target = 0;  ///< samples that active pixels reach in the running pass
     std::vector<std::uint8_t> active;
-    double elapsed = 0;
+    double elapsed = 0;  ///< seconds, of all runs
   };
   /// `progress` is called a few times per second from any thread, never concurrently; `pass` after
-  /// each pass, while the film does not change.
+  /// each pass, while the film does not change. `wants_pause` is called often, from any thread;
+  /// after it returned true, all threads stop between two samples, and `paused` is called once.
+  /// Then the pass continues.
   struct Callbacks {
     std::function<void(const Progress&)> progress, pass;
+    std::function<bool()> wants_pause;
+    std::function<void()> paused;
   };
 
   Progressive(Film& film, const RenderBudget& budget);
@@ -86,6 +90,10 @@ class Progressive {
 
   /// Counts the time from then on; before the first run.
   void begin_at(std::chrono::steady_clock::time_point start);
+  /// Continues another render with the same budget; before the first run and begin_at(). The film
+  /// is that of the state.
+  /// Returns: false if the state fits neither film nor budget; it is then unchanged.
+  bool restore(State state);
 
   const State& state() const { return state_; }
   Progress progress() const;
@@ -94,8 +102,12 @@ class Progressive {
   struct Row {
     int x0, x1, y;
   };
+  /// Samples between tests whether a row has to stop: at most a few milliseconds.
+  static constexpr std::uint64_t kSamplesBetweenTests = 64;
   StopReason run_rows(const std::function<std::uint64_t(const Row&)>& render_row,
                       const Callbacks& callbacks, const std::atomic<bool>* cancel);
+  void run_pass(const std::function<std::uint64_t(const Row&)>& render_row,
+                const Callbacks& callbacks, const std::atomic<bool>* cancel);
   std::optional<StopReason> begin_pass();
   void render_tile(int tile, const std::function<std::uint64_t(const Row&)>& render_row,
                    const Callbacks& callbacks, const std::atomic<bool>* cancel);
@@ -107,8 +119,12 @@ class Progressive {
                                   float picture) const;
   double missing_samples(const std::vector<float>& noise) const;
   double done_share(double mean_samples) const;
+  bool pass_is_complete() const;
   double elapsed() const;
+  /// Without the time of earlier runs, from whose checkpoint this one continues.
+  double elapsed_here() const { return elapsed() - elapsed_elsewhere_; }
   bool out_of_time() const;
+  bool must_stop(const Callbacks& callbacks, const std::atomic<bool>* cancel);
 
   Film& film_;
   RenderBudget budget_;
@@ -117,7 +133,8 @@ class Progressive {
   double samples_in_all_ = 0;  ///< estimated mean number of samples at the end
   std::uint64_t pass_start_samples_ = 0;
   std::atomic<std::uint64_t> drawn_{0};  ///< in this run
-  std::atomic<bool> timed_out_{false}, cancelled_{false};
+  std::atomic<bool> timed_out_{false}, cancelled_{false}, paused_{false};
+  double elapsed_elsewhere_ = 0;
   std::chrono::steady_clock::time_point start_;
   std::mutex report_mutex_;
   double last_report_ = 0;
@@ -159,10 +176,11 @@ StopReason Progressive::run(const Sample& sample, const Callbacks& callbacks,
       const auto pixel = static_cast<std::size_t>(row.y) * static_cast<std::size_t>(film_.width()) +
                          static_cast<std::size_t>(x);
       if (!state_.active[pixel]) continue;
-      for (std::uint32_t i = film_.samples(pixel); i < state_.target; ++i, ++drawn) {
+      for (std::uint32_t i = film_.samples(pixel); i < state_.target; ++i) {
         FilmSample s;
         sample(x, row.y, i, s);
         film_.add(x, row.y, s);
+        if (++drawn % kSamplesBetweenTests == 0 && must_stop(callbacks, cancel)) return drawn;
       }
     }
     return drawn;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <utility>
 
 #include "color/luminance.h"
 #include "render/eye_rays.h"
@@ -35,6 +36,14 @@ DisplayMap display_map(const World& world, const Window& window) {
   return [&world, window](int x, int y, const Rgb& color) {
     return map_color(world.lens, world, window.pixel_centre(x, y), color);
   };
+}
+
+/// Writes or reads numbers of rays.
+template <class Checkpoint>
+void visit_counts(Checkpoint& checkpoint, RayCounts& counts) {
+  for (std::uint64_t* count : {&counts.eye, &counts.reflect, &counts.refract, &counts.gather,
+                               &counts.shadow, &counts.probe, &counts.environment})
+    checkpoint.value(*count);
 }
 
 FilmRequest film_request(const World& world, const SessionSettings& settings) {
@@ -141,8 +150,13 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
     s = sample(x, y, index, mine.record, mine.counts);
     if (mattes_) mattes_->add(x, y, mine.record.first_surfaces, s.negative);
   };
+  rays_of_threads_ = [&threads] {
+    RayCounts sum;
+    for (const PerThread& thread : threads) sum += thread.counts;
+    return sum;
+  };
   const StopReason reason = passes.run(draw_one, callbacks, cancel);
-  for (const PerThread& thread : threads) rays_ += thread.counts;
+  rays_ += std::exchange(rays_of_threads_, nullptr)();
   return reason;
 }
 
@@ -198,7 +212,8 @@ StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
     prepare_maps(callbacks, cancel);
     if (integrator_->caches_only()) return StopReason::MapsOnly;
     prepared_ = true;
-    if (cancel && *cancel && integrator_->has_caches()) {
+    state_is_whole_ = !(cancel && *cancel && integrator_->has_caches());
+    if (!state_is_whole_) {
       Progressive once(film_, {.max_samples = 1});
       draw(once, {}, nullptr);
       return StopReason::Cancelled;
@@ -206,6 +221,38 @@ StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
     if (started_) progressive_.begin_at(*started_);
   }
   return draw(progressive_, callbacks, cancel);
+}
+
+void RenderSession::save(CheckpointWriter& out) {
+  integrator_->save(out);
+  film_.visit_state(out);
+  if (mattes_) mattes_->save(out, world_.materials);
+  const Progressive::State& state = progressive_.state();
+  out.value(state.pass);
+  out.value(state.target);
+  out.value(progressive_.progress().elapsed);
+  out.array(state.active);
+  RayCounts rays = rays_;
+  if (rays_of_threads_) rays += rays_of_threads_();
+  visit_counts(out, rays);
+}
+
+void RenderSession::restore(CheckpointReader& in) {
+  const ProgressMonitor monitor;
+  integrator_->restore(in, {maps_window_, seed_, map_files_, diagnostics_, monitor, {}, rays_});
+  film_.visit_state(in);
+  if (mattes_) mattes_->restore(in, world_.materials, world_.instances.size());
+  Progressive::State state;
+  in.value(state.pass);
+  in.value(state.target);
+  in.value(state.elapsed);
+  state.active.resize(film_.pixel_count());
+  in.array(state.active);
+  visit_counts(in, rays_);
+  in.end();
+  if (!progressive_.restore(std::move(state))) throw CheckpointError("its pixels are invalid");
+  if (started_) progressive_.begin_at(*started_);
+  prepared_ = state_is_whole_ = true;
 }
 
 }  // namespace oriel

@@ -5,9 +5,11 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 
+#include "base/checkpoint_file.h"
 #include "render/budget.h"
 #include "render/film.h"
 #include "render/integrator.h"
@@ -63,6 +65,17 @@ class RenderSession {
   StopReason run(const Progressive::Callbacks& callbacks = {},
                  const std::atomic<bool>* cancel = nullptr);
 
+  /// Whether save() is possible: all caches exist, and the picture is not a preview. Within run()
+  /// only from callbacks.paused.
+  bool can_save() const { return state_is_whole_; }
+  /// Writes caches, film, mattes and progress.
+  void save(CheckpointWriter& out);
+  /// Reads them before the first run, which then continues where the other render was. World and
+  /// settings must be the same, except for the time limit.
+  /// Errors:  CheckpointError; the session can then not be used any more.
+  /// Checked: Resume.* in tests/faults, SessionState.*
+  void restore(CheckpointReader& in);
+
   const World& world() const { return world_; }
   const Film& film() const { return film_; }
   const Window& window() const { return window_; }
@@ -104,9 +117,11 @@ class RenderSession {
   Diagnostics unheard_;  ///< used if SessionSettings::diagnostics is null
   Diagnostics& diagnostics_;
   std::unique_ptr<Integrator> integrator_;
-  bool prepared_ = false;  ///< the integrator has its caches
+  bool prepared_ = false;        ///< the integrator has its caches
+  bool state_is_whole_ = false;  ///< see can_save()
   std::optional<std::chrono::steady_clock::time_point> started_;
   RayCounts rays_;
+  std::function<RayCounts()> rays_of_threads_;  ///< not yet in rays_; empty outside of draw()
 };
 
 }  // namespace oriel

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/input_files.h"
 #include "sdk/crash.h"
 #include "sdk/elf_symbols.h"
 
@@ -102,6 +103,7 @@ std::unique_ptr<Library> Library::open(const std::string& written, SourceLocatio
   std::unique_ptr<Library> library(new Library);
   library->path_ = path;
   library->file_name_ = name;
+  note_input_file(path.string(), InputKind::Frame);
   install_crash_handlers();
   Running running{nullptr, "a static constructor", &library->file_name_};
   if (!run_guarded(running,

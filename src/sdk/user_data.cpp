@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/input_files.h"
+
 namespace oriel::sdk {
 namespace {
 
@@ -112,6 +114,7 @@ Bytes of_file(const scene::UserData& data, Host& host) {
   std::string reason = file.reason();
   if (file && file.size() > kLargestFile) reason = "it is larger than 1 GB";
   if (reason.empty()) {
+    note_input_file(path.string(), InputKind::Frame);
     const std::string content = file.read(kLargestFile);
     if (content.size() == file.size()) {
       const auto* first = reinterpret_cast<const std::byte*>(content.data());

@@ -41,6 +41,14 @@ constexpr std::size_t kFirstBatch = 64;
 /// Stream numbers of the two kinds of rays.
 constexpr int kFeelerColumn = 0x66656c, kRecordColumn = 0x726563;
 
+/// Radii for the whole scene; the picture's may be in pixels.
+GatherRadii coarse_radii(const World& world) {
+  const geom::Box3 box = world.accel->bounds();
+  GatherRadii radii = default_gather_radii(box);
+  radii.min = kMinRecordRadius * length(box.max - box.min);
+  return radii;
+}
+
 class BounceSolver {
  public:
   BounceSolver(const World& world, const GatherSettings& settings, std::uint32_t seed,
@@ -49,10 +57,7 @@ class BounceSolver {
     settings_.rays =
         std::clamp(static_cast<int>(static_cast<float>(settings.rays) * kRays), 16, kMaxRays);
     settings_.path.diffuse_bounces = 0;
-    const geom::Box3 box = world.accel->bounds();
-    // radii for the whole scene; the picture's may be in pixels
-    settings_.radii = default_gather_radii(box);
-    settings_.radii.min = kMinRecordRadius * length(box.max - box.min);
+    settings_.radii = coarse_radii(world);
     cover_.accuracy = kCoverError;
     cover_.radii = settings_.radii;
   }
@@ -84,10 +89,7 @@ class BounceSolver {
   /// The placed records contain one bounce; each round adds another.
   Bounces solve(int wanted) {
     Bounces b;
-    b.query = cover_;
-    b.query.by_error = true;
-    b.query.points = kPoints;
-    b.query.accuracy = kWorstBounceError;
+    b.query = bounces_query(world_);
     const bool all = wanted >= PathSettings::kAllBounces;
     double change_before = 0;
     std::vector<GatherRecord> before;
@@ -199,6 +201,15 @@ class BounceSolver {
 };
 
 }  // namespace
+
+GatherQuery bounces_query(const World& world) {
+  GatherQuery query;
+  query.radii = coarse_radii(world);
+  query.by_error = true;
+  query.points = kPoints;
+  query.accuracy = kWorstBounceError;
+  return query;
+}
 
 Bounces gather_bounces(const World& world, const std::vector<GatherPoint>& seen,
                        const GatherSettings& settings, std::uint32_t seed, RayCounts& counts,

@@ -14,6 +14,9 @@ struct Bounces {
   int held = 0;       ///< number of bounces in the records; PathSettings::kAllBounces = all
 };
 
+/// The look-ups of a world's Bounces.
+GatherQuery bounces_query(const World& world);
+
 /// Computes records at the points that gather rays from `seen` hit, and at those that rays from
 /// there hit.
 ///

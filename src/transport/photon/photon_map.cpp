@@ -17,6 +17,8 @@ using Filter = scene::PhotonOptions::Filter;
 
 /// Ranges shorter than this are searched one by one, without an axis.
 constexpr std::size_t kPhotonsOfLeaf = 4;
+/// Unit vectors may be this much off after rounding.
+constexpr float kUnitError = 1e-2f;
 
 /// The numbers of a photon as bits, since floats have two zeros.
 std::array<std::uint32_t, 13> bits(const Photon& p) {
@@ -121,6 +123,15 @@ PhotonMap::PhotonMap(std::vector<Photon> photons, float merge) : photons_(std::m
   if (merge > 0) photons_ = merge_photons(photons_, merge, kMinAgreement);
   axis_.resize(photons_.size());
   balance(0, photons_.size());
+}
+
+bool PhotonMap::is_valid() const {
+  const auto is_unit = [](const Vec3& v) { return std::abs(v.length2() - 1) < kUnitError; };
+  return axis_.size() == photons_.size() &&
+         std::all_of(axis_.begin(), axis_.end(), [](std::uint8_t axis) { return axis < 3; }) &&
+         std::all_of(photons_.begin(), photons_.end(), [&](const Photon& p) {
+           return is_sound(p) && is_unit(p.direction) && is_unit(p.normal);
+         });
 }
 
 void PhotonMap::balance(std::size_t begin, std::size_t end) {

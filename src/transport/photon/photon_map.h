@@ -73,6 +73,15 @@ class PhotonMap {
   std::size_t size() const { return photons_.size(); }
   const std::vector<Photon>& photons() const { return photons_; }
 
+  /// Writes the map to a CheckpointWriter, or reads it from a CheckpointReader.
+  template <class Checkpoint>
+  void visit_state(Checkpoint& checkpoint) {
+    checkpoint.list(photons_);
+    checkpoint.list(axis_);
+  }
+  /// Whether numbers are finite and directions unit; of a map that was read.
+  bool is_valid() const;
+
   /// Irradiance of the side of the surface that `normal` points to. No allocation.
   /// Inputs:  by_light: where to add it by layers of lights, `unknown` that of photons that do not
   ///          know theirs; null = nowhere. found: where to add how many spoke; null = nowhere.

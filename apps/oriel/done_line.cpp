@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "done_line.h"
+
+#include "image/texture_statistics.h"
+#include "scene_file.h"
+
+namespace oriel::app {
+
+void print_done_line(const RenderSession& session, StopReason reason,
+                     const std::vector<std::string>& files) {
+  constexpr const char* kReasons[] = {"samples", "noise", "time", "interrupted", "maps only"};
+  const Progress p = session.progress();
+  nlohmann::json line = {{"event", "done"},
+                         {"stopped_by", kReasons[static_cast<int>(reason)]},
+                         {"samples", p.mean_samples},
+                         {"elapsed", p.elapsed},
+                         {"rays", session.rays().rays()},
+                         {"files", files}};
+  if (p.noise) line["noise"] = *p.noise;
+  if (const TextureStatistics t = texture_statistics(); t.files > 0)
+    line["textures"] = {{"files", t.files},
+                        {"tile_requests", t.tile_requests},
+                        {"tile_misses", t.tile_misses},
+                        {"bytes_read", t.bytes_read},
+                        {"bytes_held", t.bytes_held}};
+  print_json(line);
+}
+
+}  // namespace oriel::app
