@@ -27,6 +27,7 @@
 #include "scene_code.h"
 #include "sdk/call.h"
 #include "sdk/current.h"
+#include "sdk/hang.h"
 #include "sdk/host.h"
 #include "sdk/missing_roles.h"
 #include "shaders/registry.h"
@@ -46,6 +47,7 @@ using Clock = std::chrono::steady_clock;
 /// A picture in progress is written at most so often, and takes at most a twentieth of the time.
 constexpr double kSecondsBetweenWrites = 5;
 constexpr double kWriteShare = 0.05;
+constexpr double kMaxLimitSeconds = 1e9;  // the clock has 64 bits
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -114,6 +116,7 @@ class FrameRenderer {
     if (world_) cache_.keep(*world_);
     world_.reset();
     code_.compile(scene_);
+    limit_time();
     host_.emplace(scene_, builtin_shaders(), code_.trusted_folders(), diagnostics_, &interrupted());
     sdk::set_output_roots(roots_);
     PrepareOptions options = plan_.prepare;
@@ -146,6 +149,7 @@ class FrameRenderer {
     const StopReason reason = session_->run(
         {[this](const Progress& p) { line_.update(p); }, [this](const Progress& p) { on_pass(p); }},
         &interrupted());
+    sdk::set_stop_time({});  // of samples alone
     line_.clear();
     if (reason == StopReason::MapsOnly) return end_shaders(), finish(reason), true;
     if (session_->film().light_layers() > 0 && session_->has_unknown_light())
@@ -159,6 +163,15 @@ class FrameRenderer {
     finish(reason);
     begun_ = Clock::now();
     return true;
+  }
+
+  /// Ends shaders that hang beyond the time limit.
+  void limit_time() const {
+    sdk::StopTime limit;
+    if (a_.time)
+      limit = begun_ + std::chrono::duration_cast<Clock::duration>(
+                           std::chrono::duration<double>(std::min(*a_.time, kMaxLimitSeconds)));
+    sdk::set_stop_time(limit);
   }
 
   /// After the files: output shaders belong to the frame.
