@@ -8,6 +8,7 @@
 
 #include "image/files.h"
 #include "image/pixel_buffer.h"
+#include "image/pixel_source.h"
 #include "image/texture.h"
 #include "image/texture_statistics.h"
 
@@ -26,13 +27,20 @@ class FilesModule {
   virtual std::string encode(const Image& image, const FileOptions& options) = 0;
   virtual std::unique_ptr<Texture> open_texture(const std::string& path, float gamma) = 0;
 
+  /// Opens the files of textures from now on; null = open_source.
+  virtual void set_source_opener(PixelSourceOpener opener) = 0;
+  /// The pixels of a file, decoded in this process.
+  virtual std::unique_ptr<PixelSource> open_source(const std::string& path) = 0;
+  /// Reads configuration files, which a confined process cannot do later.
+  virtual void prepare_reading() = 0;
+
   virtual void apply_ocio(Image& image, const OcioTransform& transform) = 0;
 
   virtual void set_cache_megabytes(float megabytes) = 0;
   virtual TextureStatistics texture_statistics() = 0;
 };
 
-inline constexpr int kFilesModuleVersion = 4;
+inline constexpr int kFilesModuleVersion = 5;
 /// The only exported symbol of the module. It returns null when the version differs. The object is
 /// never destroyed.
 using FilesModuleEntry = FilesModule* (*)(int version);
