@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "done_line.h"
 
+#include <fmt/format.h>
+
 #include "image/texture_statistics.h"
+#include "progress_line.h"
 #include "scene_file.h"
 
 namespace oriel::app {
@@ -24,6 +27,16 @@ void print_done_line(const RenderSession& session, StopReason reason,
                         {"bytes_read", t.bytes_read},
                         {"bytes_held", t.bytes_held}};
   print_json(line);
+}
+
+void print_summary(const RenderSession& session, StopReason reason,
+                   const std::vector<std::string>& files) {
+  if (files.empty()) return;
+  const Progress p = session.progress();
+  fmt::print(stderr, "{}{}: {:.4g} samples{}, {}\n",
+             reason == StopReason::Cancelled ? "interrupted, the picture so far: " : "",
+             fmt::join(files, ", "), p.mean_samples,
+             p.noise ? fmt::format(", noise {:.4f}", *p.noise) : "", duration_text(p.elapsed));
 }
 
 }  // namespace oriel::app

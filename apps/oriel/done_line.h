@@ -13,4 +13,8 @@ namespace oriel::app {
 void print_done_line(const RenderSession& session, StopReason reason,
                      const std::vector<std::string>& files);
 
+/// One line for people: files, samples, noise and time. Nothing without files.
+void print_summary(const RenderSession& session, StopReason reason,
+                   const std::vector<std::string>& files);
+
 }  // namespace oriel::app

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <sstream>
@@ -11,6 +12,8 @@
 
 #include "command.h"
 #include "convert_model.h"
+#include "image/reader_process.h"
+#include "image/reader_protocol.h"
 #include "process_streams.h"
 #include "suggest.h"
 
@@ -77,6 +80,8 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc == 3 && std::string_view(argv[1]) == oriel::kReaderArgument)
+    return oriel::reader::serve(std::strtoull(argv[2], nullptr, 10));
   oriel::app::prepare_process();
   return oriel::app::close_streams(run_program(argc, argv));
 }

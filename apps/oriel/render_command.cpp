@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "command.h"
 #include "denoiser_option.h"
+#include "image/reader_process.h"
 #include "image/texture.h"
 #include "render_frames.h"
 #include "render_plan.h"
@@ -17,6 +18,7 @@ namespace {
 int run_render(const RenderArguments& a) {
   const RenderPlan plan = render_plan(a);
   const ThreadLimit limit(a.threads);
+  if (a.isolate_readers) isolate_readers({});
   if (a.texture_cache) TextureSystem::set_cache_megabytes(*a.texture_cache);
   flush_denormals();
   Diagnostics diagnostics;
@@ -160,6 +162,8 @@ Command add_render_command(CLI::App& program) {
   app->add_option("--texture-cache", a->texture_cache,
                   "Texture cache size in MB (default 1024, minimum 16)")
       ->type_name("MB");
+  app->add_flag("--isolate-readers", a->isolate_readers,
+                "Decode image files in confined processes, for scenes of unknown origin");
   app->add_option("--threads", a->threads, "Number of threads, 0 = all (default 0)")
       ->check(CLI::Range(0, 4096));
   app->add_flag("--json", a->json, "Print lines of JSON");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_frames.h"
-#include "base/math.h"
 
 #include <fmt/format.h>
 
@@ -26,9 +25,11 @@
 #include "progress_line.h"
 #include "render/indirect_plan.h"
 #include "render/unit_luminance.h"
+#include "render_attributes.h"
 #include "scene_code.h"
 #include "sdk/call.h"
 #include "sdk/current.h"
+#include "sdk/hang.h"
 #include "sdk/host.h"
 #include "sdk/missing_roles.h"
 #include "shaders/registry.h"
@@ -48,6 +49,7 @@ using Clock = std::chrono::steady_clock;
 /// A picture in progress is written at most so often, and takes at most a twentieth of the time.
 constexpr double kSecondsBetweenWrites = 5;
 constexpr double kWriteShare = 0.05;
+constexpr double kMaxLimitSeconds = 1e9;  // the clock has 64 bits
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -120,6 +122,7 @@ class FrameRenderer {
     world_.reset();
     forget_frame_inputs();
     code_.compile(scene_);
+    limit_time();
     host_.emplace(scene_, builtin_shaders(), code_.trusted_folders(), diagnostics_, &interrupted());
     sdk::set_output_roots(roots_);
     PrepareOptions options = plan_.prepare;
@@ -152,6 +155,7 @@ class FrameRenderer {
     checkpoints_.begin({frame, eye}, *session_);
     last_write_ = Clock::now();
     const StopReason reason = run_session();
+    sdk::set_stop_time({});  // of samples alone
     line_.clear();
     const bool unfinished =
         reason == StopReason::Cancelled || (reason == StopReason::Time && is_last);
@@ -213,6 +217,15 @@ class FrameRenderer {
     } else if (at_end && !a_.quiet) {
       fmt::print(stderr, "the render can be continued: --resume {}\n", plan_.checkpoint.file);
     }
+  }
+
+  /// Ends shaders that hang beyond the time limit.
+  void limit_time() const {
+    sdk::StopTime limit;
+    if (a_.time)
+      limit = begun_ + std::chrono::duration_cast<Clock::duration>(
+                           std::chrono::duration<double>(std::min(*a_.time, kMaxLimitSeconds)));
+    sdk::set_stop_time(limit);
   }
 
   /// After the files: output shaders belong to the frame.
@@ -388,37 +401,16 @@ class FrameRenderer {
 
   /// Attributes of EXR files. Without --timestamps the same command gives the same bytes.
   std::map<std::string, ExrValue> describe(const PictureFile& file) const {
-    const RenderBudget& b = session_->budget();
-    const Progress p = session_->progress();
     std::map<std::string, ExrValue> m = picture_metadata(*world_, file.shaders);
-    m["software"] = std::string("Oriel " ORIEL_VERSION);
-    m["oriel.scene"] = fs::path(a_.scene.path).filename().string();
-    m["oriel.indirect"] = std::string(plan_indirect(session_->world().options).name());
-    m["oriel.seed"] = static_cast<int>(a_.seed);
-    m["oriel.samples"] = static_cast<float>(p.mean_samples);
-    m["oriel.maxSamples"] = static_cast<int>(b.max_samples);
-    m["oriel.noiseTarget"] = static_cast<float>(b.noise);
+    m.merge(render_attributes(a_, *session_));
     if (unit_is_known_) m["whiteLuminance"] = session_->unit_luminance();
     if (has_photometric_layers()) m[kUnitLuminanceKey] = session_->unit_luminance();
-    if (session_->film().light_layers() > 0)
-      m["oriel.lightGroups"] = fmt::format("{}", fmt::join(world_->light_layers.names, " "));
     if (!denoised_.empty()) m["oriel.denoiser"] = denoiser_;
-    if (p.noise) m["oriel.noise"] = static_cast<float>(*p.noise);
-    if (!a_.scene.edits.empty())
-      m["oriel.set"] = fmt::format("{}", fmt::join(a_.scene.edits, "; "));
-    if (!a_.sun.empty())
-      m["oriel.sun"] = fmt::format("{} north {:.6g}", a_.sun, a_.north.value_or(0));
-    if (const auto date = capture_date(a_.timestamps)) {
-      m["capDate"] = *date;
-      m["utcOffset"] = 0.0f;
-    }
-    if (a_.timestamps) m["oriel.renderSeconds"] = static_cast<float>(p.elapsed);
     return m;
   }
 
   void finish(StopReason reason) {
     printer_.print_new();
-    const Progress p = session_->progress();
     if (a_.json)
       return print_done_line(
           *session_, reason,
@@ -432,12 +424,7 @@ class FrameRenderer {
       fmt::print(stderr, "interrupted before the first sample: no picture is written\n");
       return;
     }
-    const std::vector<std::string>& names = pictures_.written();
-    if (names.empty()) return;
-    fmt::print(stderr, "{}{}: {:.4g} samples{}, {}\n",
-               reason == StopReason::Cancelled ? "interrupted, the picture so far: " : "",
-               fmt::join(names, ", "), p.mean_samples,
-               p.noise ? fmt::format(", noise {:.4f}", *p.noise) : "", duration_text(p.elapsed));
+    print_summary(*session_, reason, pictures_.written());
   }
 
   const RenderArguments& a_;

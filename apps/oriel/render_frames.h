@@ -33,6 +33,7 @@ struct RenderArguments {
   std::string cryptomatte;  ///< ranks; empty: as the scene's options say
   int threads = 0;
   std::optional<float> texture_cache;  ///< megabytes
+  bool isolate_readers = false;
   std::string frames;
   bool skip_existing = false;
   bool live = false;  ///< passes are written to the files themselves

@@ -11,6 +11,7 @@
 #include "image/module.h"
 #include "image/picture_target.h"
 #include "image/png.h"
+#include "image/reader_process.h"
 
 namespace oriel {
 namespace {
@@ -41,6 +42,17 @@ void apply_ocio(Image& image, const OcioTransform& transform) {
 }
 
 Image read_image(const std::string& path) {
+  if (!readers_are_isolated()) return read_image_here(path);
+  try {
+    return read_image_isolated(path);
+  } catch (const std::exception& e) {
+    const std::string why = e.what();
+    if (why.starts_with("cannot ")) throw;  // the reader process has named the file
+    throw std::runtime_error("cannot read '" + path + "': " + why);
+  }
+}
+
+Image read_image_here(const std::string& path) {
   const std::string extension = extension_of(path);
   if (extension == ".exr") return read_exr_image(path);
   if (extension == ".png") return read_png(path);

@@ -25,12 +25,16 @@ struct FileOptions {
   std::string type = {};  ///< file type as an extension ("png"); empty: from the path
 };
 
-/// Reads up to four channels of the first picture in the file.
+/// Reads up to four channels of the first picture in the file, in a reader process after
+/// isolate_readers().
 ///
 /// Errors:  std::runtime_error with path and reason if the file is missing, invalid, wider or
 ///          higher than 65536, or larger than 4 GiB.
 /// Checked: Files.*
 Image read_image(const std::string& path);
+
+/// read_image() in this process, even if readers are isolated.
+Image read_image_here(const std::string& path);
 
 /// Selects the format by FileOptions::type or the extension of `path`: .exr (half or float), .png
 /// (8 or 16 bit), and the formats of the files module: .tif, .jpg, .hdr, .tga, .bmp, .iff, .pic,

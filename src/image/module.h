@@ -9,6 +9,7 @@
 
 #include "image/files.h"
 #include "image/pixel_buffer.h"
+#include "image/pixel_source.h"
 #include "image/texture.h"
 #include "image/texture_statistics.h"
 
@@ -28,6 +29,13 @@ class FilesModule {
   /// most_tile_bytes: of a tile or strip of the file, decoded to floats.
   virtual std::unique_ptr<Texture> open_texture(const std::string& path, float gamma,
                                                 std::uint64_t most_tile_bytes) = 0;
+
+  /// Opens the files of textures from now on; null = open_source.
+  virtual void set_source_opener(PixelSourceOpener opener) = 0;
+  /// The pixels of a file, decoded in this process.
+  virtual std::unique_ptr<PixelSource> open_source(const std::string& path) = 0;
+  /// Reads configuration files, which a confined process cannot do later.
+  virtual void prepare_reading() = 0;
 
   virtual void apply_ocio(Image& image, const OcioTransform& transform) = 0;
 

@@ -9,6 +9,7 @@
 
 #include "base/input_files.h"
 #include "image/module.h"
+#include "image/reader_process.h"
 #include "image/texture_statistics.h"
 
 namespace oriel {
@@ -40,6 +41,7 @@ TextureSystem::Opened TextureSystem::open(const std::string& path, float gamma,
   try {
     FilesModule& module = files_module();
     has_module = true;
+    module.set_source_opener(readers_are_isolated() ? open_isolated : PixelSourceOpener());
     module.set_cache_megabytes(cache_megabytes);
     entry->second = module.open_texture(path, gamma, most_tile_bytes);
     return {entry->second.get(), {}};

@@ -14,6 +14,7 @@
 #include "sdk/current.h"
 #include "sdk/host.h"
 #include "sdk/shader_state.h"
+#include "sdk/shader_turn.h"
 #include "sdk/tags.h"
 #include "sdk/triangle.h"
 
@@ -50,9 +51,15 @@ thread_local Arena arena;
 
 using ShaderFunction = miBoolean (*)(void*, miState*, void*, void*);
 
+CallKind kind_of_call(miShader_type type) {
+  if (type == miSHADER_OUTPUT) return CallKind::Picture;
+  return type == miSHADER_GEOMETRY ? CallKind::Setup : CallKind::Sample;
+}
+
 bool call_guarded(UserInstance& shader, miState& state, void* result, void* argument) {
   const auto function = reinterpret_cast<ShaderFunction>(shader.spec->function);
   Running running{shader.spec, "", &shader.spec->library_name};
+  running.kind = kind_of_call(context(&state).call_type);
   if (CrashGuard* const guard = CrashGuard::current()) {
     const Running outer = std::exchange(guard->running, running);
     const bool answer = function(result, &state, shader.parameters, argument) != miFALSE;
@@ -63,6 +70,8 @@ bool call_guarded(UserInstance& shader, miState& state, void* result, void* argu
   if (!run_guarded(running, [&] {
         answer = function(result, &state, shader.parameters, argument) != miFALSE;
       })) {
+    // No guard surrounds this call, so the thread had not entered before.
+    shader.spec->host->shader_turn().restore(0);
     shader.spec->host->stop_crashed(running);
     return false;
   }
@@ -108,8 +117,9 @@ void* allocate_for_call(std::size_t bytes) { return arena.allocate(bytes); }
 bool run(UserInstance& shader, miState& state, void* result, miShader_type type, void* argument) {
   Context& c = context(&state);
   set_current_host(c.host);  // required by the init functions
+  leave_overdue_shader();
   if (!shader.ready.load(std::memory_order_acquire)) shader.make_ready(*shader.node);
-  if (shader.spec->crashed.load(std::memory_order_relaxed)) return false;
+  if (!shader.function || shader.spec->crashed.load(std::memory_order_relaxed)) return false;
   // Shaders read parent->shader without a null check.
   if (state.parent && !state.parent->shader) state.parent->shader = shader.function;
   const miFunction* const outer_function = std::exchange(state.shader, shader.function);

@@ -2,6 +2,7 @@
 #include "sdk/caller.h"
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <vector>
 
@@ -54,6 +55,12 @@ Caller& Caller::current() {
 short thread_number() {
   thread_local const OwnNumber number;
   return static_cast<short>(number.value());
+}
+
+std::uint64_t thread_generation() {
+  static std::atomic<std::uint64_t> last = 0;
+  thread_local const std::uint64_t own = ++last;
+  return own;
 }
 
 }  // namespace oriel::sdk

@@ -2,6 +2,7 @@
 // The shader state from which a new state is derived: of a ray, a light sample, or the same point.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "base/vec.h"
@@ -61,5 +62,8 @@ class CallerScope {
 
 /// Number of the calling thread: the smallest one that no other shader thread uses.
 short thread_number();
+
+/// A number of the calling thread that no other thread of the process ever has; at least 1.
+std::uint64_t thread_generation();
 
 }  // namespace oriel::sdk

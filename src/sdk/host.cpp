@@ -9,7 +9,9 @@
 
 #include "sdk/call.h"
 #include "sdk/current.h"
+#include "sdk/hang.h"
 #include "sdk/picture.h"
+#include "sdk/shader_turn.h"
 #include "shaders/registry.h"
 
 namespace oriel::sdk {
@@ -33,7 +35,10 @@ int version_of(const Library& library, const UserSpec& spec, std::optional<Runni
 
 Host::Host(const scene::Scene& scene, const Registry& builtin, const TrustedFolders& folders,
            Diagnostics& diagnostics, std::atomic<bool>* stop)
-    : stopped(stop ? *stop : own_stop_), scene_(scene), diagnostics_(diagnostics) {
+    : stopped(stop ? *stop : own_stop_),
+      scene_(scene),
+      diagnostics_(diagnostics),
+      shader_turn_(std::make_unique<ShaderTurn>()) {
   mi_init_lock(&global_lock_);
   set_current_host(this);  // for library functions that run before the first shader
   SourceLocation first_missing;
@@ -69,6 +74,7 @@ void Host::link(const std::string& written, SourceLocation where, const TrustedF
   if (std::find(own.begin(), own.end(), stem) != own.end()) return;
   if (!linked_.insert(stem).second) return;
   const std::size_t messages = diagnostics_.all().size();
+  if (!hang_watch_) hang_watch_ = std::make_unique<HangWatch>(stopped);
   auto library = Library::open(written, where, folders, diagnostics_);
   install_crash_handlers();
   if (!library && diagnostics_.all().size() == messages) missing_.push_back(stem + ".so");
@@ -179,13 +185,14 @@ void Host::exit_later(UserInstance& instance) {
   late->function = instance.function;
   late->parameters = instance.parameters;
   late->user = instance.user;
-  late->thread_pointers.of = std::move(instance.thread_pointers.of);
+  late->thread_pointers.take(instance.thread_pointers);
   late->lock = std::exchange(instance.lock, {});
   late_exits_.push_back(std::move(late));
 }
 
 void Host::end_frame() {
-  const std::lock_guard guard(shader_lock_);
+  const ShaderTurnScope turn(*shader_turn_, stopped);
+  if (!turn.entered()) return;
   set_current_host(this);
   ShadingPoint nowhere;
   nowhere.world = world_;

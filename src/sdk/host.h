@@ -27,6 +27,8 @@
 
 namespace oriel::sdk {
 
+class HangWatch;
+class ShaderTurn;
 struct Picture;
 
 /// Loads the libraries of `link` statements, makes specs of declared shaders that they contain, and
@@ -114,8 +116,8 @@ class Host {
   const std::vector<miTag>& lights();  ///< instances of all lights
   std::string_view text(miTag tag) const;
 
-  /// Held while init and exit functions run; recursive, because they may initialise other shaders.
-  std::recursive_mutex& shader_lock() { return shader_lock_; }
+  /// Of init and exit functions.
+  ShaderTurn& shader_turn() { return *shader_turn_; }
   miLock global_lock() const { return global_lock_; }
 
   /// Label in the state of a hit: that of the instance, else that of its object.
@@ -185,7 +187,8 @@ class Host {
   std::atomic<bool> labels_ready_ = false;
   std::atomic<const miCamera*> camera_ = nullptr;
   std::atomic<const miOptions*> options_ = nullptr;
-  std::recursive_mutex shader_lock_;
+  const std::unique_ptr<ShaderTurn> shader_turn_;
+  std::unique_ptr<HangWatch> hang_watch_;  ///< from the first library on
   miLock global_lock_;
   ShaderElements elements_;
   std::vector<std::unique_ptr<UserInstance>> late_exits_;

@@ -78,6 +78,8 @@ miImg_image* mi_img_pyramid_get_level(miImg_image* image, int level) {
   if (!image || level < 0) return nullptr;
   if (level == 0) return image;
   auto& whole = *static_cast<Picture*>(image);
+  // Crashes here if the pointer is invalid; with the lock held, other threads would wait forever.
+  if (whole.width < 1 || whole.height < 1) return nullptr;
   const std::lock_guard lock(mutex);
   try {
     while (whole.levels.size() < static_cast<std::size_t>(level)) {

@@ -5,11 +5,14 @@
 // The program exports these functions, so libraries resolve them before those of the C library
 // (calls inside the C library are not affected). Direct system calls are not intercepted.
 #include <dlfcn.h>
+#include <link.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
@@ -23,9 +26,9 @@ namespace {
 /// Child processes forked by a shader may exit.
 const pid_t program = getpid();
 
-/// Libraries of users. Read in signal handlers, so without locks. A free entry has a null base.
+/// Libraries of users. Read in signal handlers, so without locks. A free entry has a null begin.
 struct Watched {
-  std::atomic<const void*> base = nullptr;
+  std::atomic<std::uintptr_t> begin = 0, end = 0;
   std::array<char, 128> name{};
 };
 constexpr std::size_t kMaxWatched = 256;
@@ -33,16 +36,38 @@ struct WatchedLibraries {
   std::mutex mutex;  ///< for writers
   std::array<Watched, kMaxWatched> all{};
 };
-WatchedLibraries& watched() {
-  // never destroyed: libraries may run after static destruction
-  static auto* const libraries = new WatchedLibraries;
-  return *libraries;
+/// Constant initialisation, and never destroyed: libraries may run before and after.
+constinit WatchedLibraries watched;
+
+/// Addresses of a loaded object.
+struct Extent {
+  std::uintptr_t inside;  ///< any address in it
+  std::uintptr_t begin = 0, end = 0;
+};
+
+/// Callback of dl_iterate_phdr: fills in the extent if this object contains the address.
+int find_extent(dl_phdr_info* info, std::size_t, void* data) {
+  auto& extent = *static_cast<Extent*>(data);
+  std::uintptr_t begin = UINTPTR_MAX, end = 0;
+  for (int i = 0; i < info->dlpi_phnum; ++i) {
+    const auto& part = info->dlpi_phdr[i];
+    if (part.p_type != PT_LOAD) continue;
+    begin = std::min<std::uintptr_t>(begin, info->dlpi_addr + part.p_vaddr);
+    end = std::max<std::uintptr_t>(end, info->dlpi_addr + part.p_vaddr + part.p_memsz);
+  }
+  if (extent.inside < begin || extent.inside >= end) return 0;
+  extent.begin = begin;
+  extent.end = end;
+  return 1;
 }
 
-/// Load address of the object that contains an address.
-const void* base_of(const void* address) {
-  Dl_info info;
-  return dladdr(address, &info) != 0 ? info.dli_fbase : nullptr;
+/// The registered library that contains the address; null if there is none.
+const Watched* library_of(const void* address) {
+  const auto at = reinterpret_cast<std::uintptr_t>(address);
+  for (const Watched& library : watched.all)
+    if (const std::uintptr_t begin = library.begin.load(std::memory_order_acquire))
+      if (at >= begin && at < library.end.load(std::memory_order_relaxed)) return &library;
+  return nullptr;
 }
 
 void print(const char* text) {
@@ -53,12 +78,9 @@ void print(const char* text) {
 int checked_exit_code(int code, const void* caller) {
   if (getpid() != program) return code;
   leave_ended_shader();
-  const void* const base = base_of(caller);
-  if (!base) return code;
-  for (const Watched& library : watched().all) {
-    if (library.base.load(std::memory_order_acquire) != base) continue;
+  if (const Watched* const library = library_of(caller)) {
     print("oriel: error: the shader library ");
-    print(library.name.data());
+    print(library->name.data());
     print(" ended the program [OR-SDK-005]\n");
     syscall(SYS_exit_group, 1);
   }
@@ -74,28 +96,30 @@ template <class F>
 }  // namespace
 
 void watch_library(const void* address, const std::string& file_name) {
-  const void* const base = base_of(address);
-  WatchedLibraries& libraries = watched();
-  const std::lock_guard lock(libraries.mutex);
-  for (Watched& free : libraries.all) {
-    if (free.base.load(std::memory_order_relaxed) || !base) continue;
+  Extent extent{reinterpret_cast<std::uintptr_t>(address)};
+  if (dl_iterate_phdr(find_extent, &extent) == 0) return;
+  const std::lock_guard lock(watched.mutex);
+  for (Watched& free : watched.all) {
+    if (free.begin.load(std::memory_order_relaxed)) continue;
     free.name.fill(0);
     file_name.copy(free.name.data(), free.name.size() - 1);
-    free.base.store(base, std::memory_order_release);
+    free.end.store(extent.end, std::memory_order_relaxed);
+    free.begin.store(extent.begin, std::memory_order_release);
     return;
   }
 }
 
 void unwatch_library(const std::string& file_name) {
-  WatchedLibraries& libraries = watched();
-  const std::lock_guard lock(libraries.mutex);
-  for (Watched& library : libraries.all)
-    if (library.base.load(std::memory_order_relaxed) &&
+  const std::lock_guard lock(watched.mutex);
+  for (Watched& library : watched.all)
+    if (library.begin.load(std::memory_order_relaxed) &&
         file_name.compare(0, library.name.size() - 1, library.name.data()) == 0) {
-      library.base.store(nullptr, std::memory_order_release);
+      library.begin.store(0, std::memory_order_release);
       return;
     }
 }
+
+bool is_library_code(const void* address) { return library_of(address) != nullptr; }
 
 }  // namespace oriel::sdk
 

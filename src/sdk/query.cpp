@@ -2,8 +2,6 @@
 // mi_query: information about the shader call, elements by tag, the hit and the rendering.
 #include <cstdarg>
 #include <cstring>
-#include <mutex>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -17,9 +15,7 @@ namespace {
 
 bool list_thread_pointers(ThreadPointers& pointers, void* result, int* count) {
   thread_local std::vector<void*> list;
-  const std::lock_guard lock(pointers.mutex);
-  list.clear();
-  for (const auto& [thread, value] : pointers.of) list.push_back(value);
+  list = pointers.all();
   if (count) *count = static_cast<int>(list.size());
   return write_result(result, list.data());
 }
@@ -65,16 +61,12 @@ bool query_function(miQ_type query, Host& host, const miState* state, miTag tag,
       return state && write_result(result, static_cast<int>(context(state).call_type));
     case miQ_FUNC_IS_ROOT:
       return write_result(result, miTRUE);
-    case miQ_FUNC_TLS_GET: {
-      ThreadPointers& pointers = own->thread_pointers;
-      const std::lock_guard lock(pointers.mutex);
-      const auto found = pointers.of.find(std::this_thread::get_id());
-      return write_result(result, found == pointers.of.end() ? nullptr : found->second);
-    }
+    case miQ_FUNC_TLS_GET:
+      return write_result(result, own->thread_pointers.get());
     case miQ_FUNC_TLS_SET: {
-      ThreadPointers& pointers = own->thread_pointers;
-      const std::lock_guard lock(pointers.mutex);
-      std::memcpy(&pointers.of[std::this_thread::get_id()], result, sizeof(void*));
+      void* pointer = nullptr;
+      std::memcpy(&pointer, result, sizeof pointer);
+      own->thread_pointers.set(pointer);
       return true;
     }
     case miQ_FUNC_TLS_GETALL:

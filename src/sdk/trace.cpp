@@ -116,6 +116,7 @@ bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
     ray.origin = point.position + ray.direction * static_cast<float>(c.ray_offset);
     ray.from_surface = false;
   }
+  leave_overdue_shader();
   std::optional<Answer> answer;
   Tracer::Seen seen;
   {

@@ -7,6 +7,7 @@
 #include "sdk/call.h"
 #include "sdk/current.h"
 #include "sdk/host.h"
+#include "sdk/shader_turn.h"
 
 namespace oriel::sdk {
 namespace {
@@ -77,6 +78,26 @@ ArrayView<std::byte> array_at(const std::byte* own) {
 
 }  // namespace
 
+void* ThreadPointers::get() const {
+  const std::lock_guard lock(mutex_);
+  const auto found = of_.find(thread_generation());
+  return found == of_.end() ? nullptr : found->second;
+}
+
+void ThreadPointers::set(void* pointer) {
+  const std::lock_guard lock(mutex_);
+  of_[thread_generation()] = pointer;
+}
+
+std::vector<void*> ThreadPointers::all() const {
+  std::vector<void*> list;
+  const std::lock_guard lock(mutex_);
+  for (const auto& [thread, pointer] : of_) list.push_back(pointer);
+  return list;
+}
+
+void ThreadPointers::take(ThreadPointers& other) { of_ = std::move(other.of_); }
+
 UserInstance::~UserInstance() {
   // Worlds are destroyed before their hosts; those of geometry shaders long before.
   if (host && *host && initialised) (*host)->exit_later(*this);
@@ -85,7 +106,8 @@ UserInstance::~UserInstance() {
 }
 
 void UserInstance::make_ready(const ShaderNode& of) {
-  const std::lock_guard guard(spec->host->shader_lock());
+  const ShaderTurnScope turn(spec->host->shader_turn(), spec->host->stopped);
+  if (!turn.entered()) return;
   // Init functions may query the parameters before they return.
   if (function || ready.load(std::memory_order_relaxed)) return;
   Host& owner = *spec->host;

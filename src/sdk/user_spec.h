@@ -3,12 +3,12 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -69,9 +69,20 @@ struct CConnection {
 };
 
 /// Per-thread pointers of a call: miQ_FUNC_TLS_SET.
-struct ThreadPointers {
-  std::mutex mutex;
-  std::map<std::thread::id, void*> of;
+///
+/// Model:   the key is a number that is never reused, unlike thread ids: a new thread would
+///          otherwise find the pointer of one that has ended. No function accesses memory of
+///          shaders while it holds the lock, since a crash would not release it.
+class ThreadPointers {
+ public:
+  void* get() const;  ///< null if this thread has not set one
+  void set(void* pointer);
+  std::vector<void*> all() const;  ///< of all threads, also of those that have ended
+  void take(ThreadPointers& other);
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<std::uint64_t, void*> of_;
 };
 
 /// One call of a user shader with its C parameter struct.

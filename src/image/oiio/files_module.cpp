@@ -23,7 +23,10 @@
 
 #include "image/dither.h"
 #include "image/module.h"
+#include "image/oiio/allowed_formats.h"
+#include "image/oiio/local_source.h"
 #include "image/oiio/texture_file.h"
+#include "image/oiio/texture_input.h"
 
 namespace oriel {
 namespace {
@@ -190,8 +193,7 @@ class Module final : public FilesModule {
   Image read(const std::string& path) override {
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(path, &config);
-    if (!input) fail(OIIO::geterror());
+    const auto input = oiio::open_allowed(path, &config);
     const OIIO::ImageSpec spec = input->spec();
     oiio::check_size(spec.width, spec.height, spec.nchannels);
     Image image(spec.width, spec.height, std::min(spec.nchannels, 4));
@@ -231,6 +233,16 @@ class Module final : public FilesModule {
                                         std::uint64_t most_tile_bytes) override {
     return oiio::open_texture_file(path, gamma, most_tile_bytes);
   }
+
+  void set_source_opener(PixelSourceOpener opener) override {
+    oiio::set_source_opener(std::move(opener));
+  }
+
+  std::unique_ptr<PixelSource> open_source(const std::string& path) override {
+    return oiio::open_local_source(path);
+  }
+
+  void prepare_reading() override { OIIO::get_string_attribute("extension_list"); }
 
   void set_cache_megabytes(float megabytes) override { oiio::set_cache_megabytes(megabytes); }
 

@@ -13,7 +13,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "image/oiio/gamma_input.h"
+#include "image/oiio/texture_input.h"
 #include "image/texture_wrap.h"
 
 namespace oriel::oiio {
@@ -115,10 +115,10 @@ OIIO::TextureOpt::InterpMode interpolation_of(Interpolation mode) {
 
 class TextureFile final : public Texture {
  public:
-  TextureFile(System::TextureHandle* handle, const OIIO::ImageSpec& spec) : handle_(handle) {
-    width_ = spec.full_width;
-    height_ = spec.full_height;
-    channels_ = spec.nchannels;
+  TextureFile(System::TextureHandle* handle, const PixelLevel& level) : handle_(handle) {
+    width_ = level.full_width;
+    height_ = level.full_height;
+    channels_ = level.channels;
     read_ = std::min(channels_, 4);
   }
 
@@ -177,20 +177,14 @@ class TextureFile final : public Texture {
   mutable std::string error_;
 };
 
-bool is_integer(OIIO::TypeDesc format) {
-  return format.basetype != OIIO::TypeDesc::HALF && format.basetype != OIIO::TypeDesc::FLOAT &&
-         format.basetype != OIIO::TypeDesc::DOUBLE;
-}
-
-void check_tiles(const OIIO::ImageSpec& spec, std::uint64_t most) {
-  const int rows = spec.get_int_attribute("tiff:RowsPerStrip", 1);
-  const bool tiled = spec.tile_width > 0 && spec.tile_height > 0;
-  const int width = tiled ? spec.tile_width : spec.width;
-  const int height = tiled ? spec.tile_height : std::clamp(rows, 1, std::max(spec.height, 1));
+void check_tiles(const PixelLevel& level, std::uint64_t most) {
+  const bool tiled = level.tile_width > 0 && level.tile_height > 0;
+  const int width = tiled ? level.tile_width : level.width;
+  const int height =
+      tiled ? level.tile_height : std::clamp(level.strip_rows, 1, std::max(level.height, 1));
   const std::uint64_t bytes = std::uint64_t{sizeof(float)} * static_cast<std::uint64_t>(width) *
                               static_cast<std::uint64_t>(height) *
-                              static_cast<std::uint64_t>(std::max(spec.tile_depth, 1)) *
-                              static_cast<std::uint64_t>(spec.nchannels);
+                              static_cast<std::uint64_t>(level.channels);
   if (bytes <= most) return;
   throw std::runtime_error("its tiles of " + std::to_string(width) + " x " +
                            std::to_string(height) + " pixels take " + std::to_string(bytes) +
@@ -210,30 +204,24 @@ void check_size(long long width, long long height, long long channels) {
 
 std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma,
                                            std::uint64_t most_tile_bytes) {
-  // Read the header before the cache does: the error messages of ImageInput are more specific.
-  const auto input = OIIO::ImageInput::open(path);
-  if (!input) {
-    const std::string why = OIIO::geterror();
-    throw std::runtime_error(why.empty() ? "it is not a supported image file" : why);
-  }
-  const OIIO::ImageSpec spec = input->spec();
-  check_size(spec.width, spec.height, spec.nchannels);
-  check_size(spec.full_width, spec.full_height, 1);
-  check_tiles(spec, most_tile_bytes);
+  // Read the header before the cache does: these error messages are more specific.
+  const std::unique_ptr<PixelSource> source = open_source(path);
+  PixelLevel level;
+  if (!source->level(0, 0, level)) throw std::runtime_error(source->error());
+  check_size(level.width, level.height, level.channels);
+  check_size(level.full_width, level.full_height, 1);
+  check_tiles(level, most_tile_bytes);
 
-  OIIO::ustring name(path);
-  if (gamma > 0 && gamma != 1 && is_integer(spec.format)) {
-    OIIO::ImageSpec config;
-    config.attribute("oriel:path", path);
-    config.attribute("oriel:gamma", gamma);
-    // The time stamp in the name makes a modified file a different texture.
-    name = OIIO::ustring::fmtformat("{}?oriel_gamma={}&time={}", path, gamma,
-                                    OIIO::Filesystem::last_write_time(path));
-    system().imagecache()->add_file(name, make_gamma_input, &config);
-  } else {
-    // has an effect only if the file is newer than its cached tiles
-    system().invalidate(name, false);
-  }
+  const bool decodes = gamma > 0 && gamma != 1 && is_integer(level.type);
+  OIIO::ImageSpec config;
+  config.attribute("oriel:path", path);
+  config.attribute("oriel:gamma", decodes ? gamma : 1.0f);
+  // The time stamp in the name makes a modified file a different texture. All files have this
+  // reader, because the cache would try every format that the image library knows.
+  const auto name =
+      OIIO::ustring::fmtformat("{}?oriel_gamma={}&time={}", path, decodes ? gamma : 1.0f,
+                               OIIO::Filesystem::last_write_time(path));
+  system().imagecache()->add_file(name, make_texture_input, &config);
   open_files().add(name);
   const auto turn = open_files().turn();
   System::TextureHandle* handle = system().get_texture_handle(name, perthread());
@@ -241,7 +229,7 @@ std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma,
     const std::string why = system().geterror();
     throw std::runtime_error(why.empty() ? "the image library cannot use it as a texture" : why);
   }
-  return std::make_unique<TextureFile>(handle, spec);
+  return std::make_unique<TextureFile>(handle, level);
 }
 
 void set_cache_megabytes(float megabytes) {

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Image files that are decoded in confined processes (--isolate-readers).
+#include <fmt/format.h>
+
+#include "fault_test.h"
+#include "image/files.h"
+
+namespace oriel {
+namespace readers_test {
+
+class ReaderProcess : public FaultTest {
+ protected:
+  /// A scene whose floor shows the picture.
+  void write_textured(const std::string& picture) const {
+    std::string scene = small_scene();
+    const std::string color = "\"diffuse\" .5 .5 .5";
+    scene.replace(scene.find(color), color.size(), "\"diffuse\" = \"look\"");
+    write("scene.mi", "color texture \"t\" \"" + picture +
+                          "\"\nshader \"at\" \"mib_texture_vector\" ( \"select\" -3 )\n"
+                          "shader \"look\" \"mib_texture_lookup\" ( \"tex\" \"t\", \"coord\" = "
+                          "\"at\" )\n" +
+                          scene);
+  }
+  void write_picture_file(const std::string& name) const {
+    Image image(100, 70, 3);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      image.pixels[i] = static_cast<float>(i * 37 % 256) / 255.0f;
+    write_image(file(name), image);
+  }
+  /// Reader processes of a render.
+  std::vector<pid_t> readers_of(pid_t render) const {
+    std::vector<pid_t> all;
+    std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", render));
+    for (pid_t child = 0; children >> child;) all.push_back(child);
+    return all;
+  }
+};
+
+// acceptance: Z6
+TEST_F(ReaderProcess, GivesTheSamePictureAsThisProcess) {
+  for (const char* suffix :
+       {"png", "jpg", "tif", "exr", "hdr", "tga", "bmp", "iff", "sgi", "dpx"}) {
+    const std::string name = std::string("picture.") + suffix;
+    write_picture_file(name);
+    write_textured(name);
+    ASSERT_EQ(render({"-o", "a.exr", "--samples", "2"}).exit_code, 0) << suffix;
+    const RunResult r = render({"-o", "b.exr", "--samples", "2", "--isolate-readers"});
+    ASSERT_EQ(r.exit_code, 0) << suffix << r.err;
+    EXPECT_EQ(text_of(file("a.exr")), text_of(file("b.exr"))) << suffix;
+  }
+}
+
+TEST_F(ReaderProcess, DamagedFilesAreReported) {
+  write_picture_file("picture.tif");
+  std::filesystem::resize_file(file("picture.tif"), 4000);
+  write_textured("picture.tif");
+  const RunResult here = render({"-o", "a.exr", "--samples", "2"});
+  const RunResult apart = render({"-o", "b.exr", "--samples", "2", "--isolate-readers"});
+  EXPECT_EQ(here.exit_code, apart.exit_code);
+  EXPECT_NE(apart.err.find("picture.tif"), std::string::npos) << apart.err;
+  EXPECT_EQ(text_of(file("a.exr")), text_of(file("b.exr")));
+}
+
+// As if the decoder had crashed.
+TEST_F(ReaderProcess, AnEndedProcessDoesNotEndTheRender) {
+  write_picture_file("picture.png");
+  write_textured("picture.png");
+  write("stdout.txt", "");
+  const pid_t child = start_render(
+      {"-o", "a.exr", "--samples", "300", "--json", "--isolate-readers", "--threads", "1"});
+  ASSERT_TRUE(wait_until([&] { return !readers_of(child).empty(); }));
+  for (const pid_t reader : readers_of(child)) kill(reader, SIGKILL);
+  const RunResult r = finish(child);
+  EXPECT_NE(r.exit_code, -1) << "the render has ended by itself";
+}
+
+// Formats of which the image library has large, rarely tested readers.
+TEST_F(ReaderProcess, OtherFormatsAreRefusedInEveryMode) {
+  write_picture_file("picture.png");
+  for (const char* name : {"picture.psd", "picture.dcm", "picture.mp4", "picture.cr2"}) {
+    write(name, std::string("8BPS\0\1", 6) + std::string(200, '\0'));
+    write_textured(name);
+    const RunResult r = render({"-o", "a.exr", "--samples", "1"});
+    EXPECT_NE(r.err.find("not a supported image file"), std::string::npos) << name << r.err;
+  }
+}
+
+}  // namespace readers_test
+}  // namespace oriel
