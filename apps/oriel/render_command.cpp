@@ -18,7 +18,7 @@ namespace {
 int run_render(const RenderArguments& a) {
   const RenderPlan plan = render_plan(a);
   const ThreadLimit limit(a.threads);
-  if (a.isolate_readers) isolate_readers({});
+  if (a.isolate_readers || a.scene.trust.untrusted) isolate_readers({});
   if (a.texture_cache) TextureSystem::set_cache_megabytes(*a.texture_cache);
   flush_denormals();
   Diagnostics diagnostics;

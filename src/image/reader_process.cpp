@@ -34,7 +34,7 @@ class Descriptor {
   explicit Descriptor(int number = -1) : number_(number) {}
   Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
   Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
+    const Descriptor before(std::exchange(number_, std::exchange(other.number_, -1)));
     return *this;
   }
   ~Descriptor() {
@@ -120,6 +120,7 @@ class Reader {
     if (arena == MAP_FAILED) throw std::runtime_error("no memory for a reader process");
     arena_ = static_cast<const std::byte*>(arena);
     spawn(theirs.get(), memory.get());
+    theirs = Descriptor();  // so that the end of the process is noticed
     socket_ = std::move(ours);
     ++generation_;
     reader::Request ready;
