@@ -56,6 +56,7 @@ class UserScene {
     mi::ReadOptions read;
     read.packages = builtin_packages();
     read.knows_shader = [](std::string_view n) { return builtin_shaders().find(n) != nullptr; };
+    read.files.permit(folder.path().string());
     scene = mi::read_text(whole, read, diagnostics);
     host.emplace(scene, builtin_shaders(), sdk::TrustedFolders{folder.path()}, diagnostics);
     PrepareReport report;
