@@ -11,8 +11,8 @@
 namespace oriel::testing {
 namespace displacement_test {
 
-/// "test_height": base + slope . object position + wave sin(20 u) of texture space 0, and nothing
-/// where it is not asked for displacement.
+/// "test_height": base + slope . object position + wave sin(20 u) of texture space 0 (u is 0
+/// without one), and nothing where it is not asked for displacement.
 struct TestHeight {
   float base;
   Vec3 slope;
@@ -34,9 +34,10 @@ constexpr ShaderSpec kTestHeight = {
           const auto& p = call.as<TestHeight>();
           const ShadingPoint& point = call.point;
           const bool asked = point.ray_kind == RayKind::Displace && point.to_object;
+          const float u = point.texture_spaces > 0 ? point.tex[0].x : 0;
           *static_cast<float*>(result) =
               asked ? p.base + dot(p.slope, transform_point(point.position, *point.to_object)) +
-                          p.wave * std::sin(20 * point.tex[0].x)
+                          p.wave * std::sin(20 * u)
                     : 0;
         },
 };
