@@ -2,102 +2,74 @@
 #include "lights/environment_light.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
-#include "base/math.h"
-#include "base/parallel.h"
-#include "color/luminance.h"
-#include "runtime/environment.h"
 #include "runtime/world.h"
+#include "sampling/octahedral.h"
 
 namespace oriel {
 namespace {
 
-/// Width of the table: 0.35 degrees in azimuth resolve lamps in a photographed sky; a sky from
-/// formulas is smooth, and a table that fits the processor's cache is faster.
-constexpr int kPhotographedWidth = 1024, kSmoothWidth = 256, kCoarseWidth = 16;
 /// Share of the density spread evenly, so that what the table smoothed away is still found.
 constexpr float kUniformShare = 0.02f;
 /// Share of plain proportion beside what stands out, so that dim parts are never found too seldom
 /// where no ray of a lobe finds them.
 constexpr float kPlainShare = 0.2f;
 
-/// The values less their mean, mixed with the values themselves.
-std::vector<float> standing_out(const std::vector<float>& values, float mean) {
-  double above = 0;  // half a million terms
-  for (const float v : values) above += std::max(0.0f, v - mean);
-  if (!(above > 0)) return values;
-  const double all = static_cast<double>(mean) * static_cast<double>(values.size());
-  const auto stretch = static_cast<float>((1 - kPlainShare) * all / above);
-  std::vector<float> mixed(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    mixed[i] = kPlainShare * values[i] + stretch * std::max(0.0f, values[i] - mean);
-  return mixed;
-}
-
-Vec3 direction_of(const Vec2& uv) {
-  const float z = 1 - 2 * uv.y;
-  const float r = std::sqrt(std::max(0.0f, 1 - z * z));
-  const float phi = kTwoPi * uv.x;
-  return Vec3(r * math::cos(phi), r * math::sin(phi), z);
-}
-
-Vec2 uv_of(const Vec3& d) {
-  float u = math::atan2(d.y, d.x) / kTwoPi;
-  if (u < 0) u += 1;
-  return Vec2(std::min(u, 0x1.fffffep-1f), clamp((1 - d.z) / 2, 0.0f, 0x1.fffffep-1f));
-}
-
 }  // namespace
 
-EnvironmentLight::EnvironmentLight(const World& world) {
-  if (world.environment.empty()) return;
-  const std::size_t width = world.coarse_tables      ? kCoarseWidth
-                            : world.textures.empty() ? kSmoothWidth
-                                                     : kPhotographedWidth;
-  const std::size_t height = width / 2;
-  std::vector<float> values(width * height);
-  parallel_for(height, [&](std::size_t y) {
-    for (std::size_t x = 0; x < width; ++x) {
-      // Four points of a texel: a small bright source between two centres must not be missed.
-      float sum = 0;
-      for (int k = 0; k < 4; ++k) {
-        const Vec2 uv(
-            (static_cast<float>(x) + (k & 1 ? 0.75f : 0.25f)) / static_cast<float>(width),
-            (static_cast<float>(y) + (k & 2 ? 0.75f : 0.25f)) / static_cast<float>(height));
-        const Rgba c = environment_radiance(world.environment, world, Vec3(0), direction_of(uv),
-                                            RayKind::FinalGather);
-        const float l = luminance(rgb(c));
-        if (std::isfinite(l)) sum += std::max(0.0f, l);
-      }
-      values[y * width + x] = sum / 4;
-    }
-  });
-  double total = 0;  // double: half a million terms of very different size
-  for (const float v : values) total += v;
-  mean_luminance_ = static_cast<float>(total / static_cast<double>(values.size()));
+EnvironmentLight::EnvironmentLight(const World& world) : table_(world) {
+  const std::size_t side = table_.side();
+  if (side == 0) return;
+  std::vector<float> luminances = table_.take_luminances(), angles(luminances.size());
+  double total = 0, total_angle = 0;  // double: a quarter of a million terms
+  for (std::size_t i = 0; i < luminances.size(); ++i) {
+    const Vec2 centre((static_cast<float>(i % side) + 0.5f) / static_cast<float>(side),
+                      (static_cast<float>(i / side) + 0.5f) / static_cast<float>(side));
+    angles[i] = sampling::octahedral_solid_angle(sampling::octahedral_direction(centre));
+    total += static_cast<double>(luminances[i] * angles[i]);
+    total_angle += static_cast<double>(angles[i]);
+  }
+  mean_luminance_ = static_cast<float>(total / total_angle);
   if (!(mean_luminance_ > 0)) return;
-  table_ = std::make_unique<sampling::Distribution2D>(values, width, height);
-  standing_out_ = std::make_unique<sampling::Distribution2D>(standing_out(values, mean_luminance_),
-                                                             width, height);
+  double above = 0;
+  for (std::size_t i = 0; i < luminances.size(); ++i)
+    above += static_cast<double>(std::max(0.0f, luminances[i] - mean_luminance_) * angles[i]);
+  if (table_.constant()) above = 0;
+  unevenness_ = static_cast<float>(above / total);
+  // The light less its mean, mixed with the light itself.
+  const float stretch = above > 0 ? static_cast<float>((1 - kPlainShare) * total / above) : 0.0f;
+  std::vector<float> proportion(luminances.size()), standing_out(luminances.size());
+  for (std::size_t i = 0; i < luminances.size(); ++i) {
+    proportion[i] = luminances[i] * angles[i];
+    standing_out[i] = kPlainShare * proportion[i] +
+                      stretch * std::max(0.0f, luminances[i] - mean_luminance_) * angles[i];
+  }
+  in_proportion_ = std::make_unique<sampling::Distribution2D>(proportion, side, side);
+  standing_out_ = std::make_unique<sampling::Distribution2D>(standing_out, side, side);
 }
 
-EnvironmentLight::Sample EnvironmentLight::sample_from(const sampling::Distribution2D& table,
-                                                       Vec2 u) {
+EnvironmentLight::Sample EnvironmentLight::sample_from(const sampling::Distribution2D& distribution,
+                                                       Vec2 u) const {
   Vec2 uv;
+  std::size_t cell = 0;
   if (u.x < kUniformShare) {
     uv = Vec2(u.x / kUniformShare, u.y);
+    cell = distribution.cell(uv);
   } else {
     u.x = std::min((u.x - kUniformShare) / (1 - kUniformShare), 0x1.fffffep-1f);
-    uv = table.sample(u).uv;
+    const auto s = distribution.sample(u);
+    uv = s.uv;
+    cell = s.index;
   }
-  const float pdf = table.pdf(uv);
-  return {direction_of(uv), (kUniformShare + (1 - kUniformShare) * pdf) / (4 * kPi)};
+  const Vec3 wi = sampling::octahedral_direction(uv);
+  const float pdf = kUniformShare + (1 - kUniformShare) * distribution.pdf(cell);
+  return {wi, pdf / sampling::octahedral_solid_angle(wi), cell};
 }
 
-float EnvironmentLight::pdf(const Vec3& direction) const {
-  return (kUniformShare + (1 - kUniformShare) * standing_out_->pdf(uv_of(direction))) / (4 * kPi);
+float EnvironmentLight::pdf(const Vec3& direction, std::size_t cell) const {
+  const float pdf = kUniformShare + (1 - kUniformShare) * standing_out_->pdf(cell);
+  return pdf / sampling::octahedral_solid_angle(direction);
 }
 
 }  // namespace oriel

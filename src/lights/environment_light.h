@@ -5,28 +5,31 @@
 #include <memory>
 
 #include "base/vec.h"
+#include "lights/environment_table.h"
 #include "sampling/distribution.h"
 
 namespace oriel {
 
-struct World;
-
-/// The scene's environment as a light: a table of what diffuse surfaces see of it, over
-/// (u, v) = (azimuth / 2 pi, (1 - z) / 2), equal areas in solid angle, z world up or not.
+/// The scene's environment as a light, as diffuse surfaces see it.
+///
+/// Model:   densities over the cells of its table, an octahedral square of directions.
 class EnvironmentLight {
  public:
   EnvironmentLight() = default;
-  /// Tabulates World::environment as rays of kind FinalGather see it. The table is finer where
-  /// textures are bound already.
+  /// Inputs:  world: with its environment bound, and no materials yet.
   explicit EnvironmentLight(const World& world);
 
   /// Whether it lights diffuse surfaces.
   bool lights() const { return mean_luminance_ > 0; }
   float mean_luminance() const { return mean_luminance_; }
+  const EnvironmentTable& table() const { return table_; }
+  /// Share of its light above the mean: 0 for a constant one, 1 for a small lamp.
+  float unevenness() const { return unevenness_; }
 
   struct Sample {
     Vec3 wi;
-    float pdf;  ///< per solid angle
+    float pdf;         ///< per solid angle
+    std::size_t cell;  ///< of the table
   };
   /// For use with MIS: directions brighter than the mean are sampled more often than in proportion,
   /// since BSDF samples find the rest about as well.
@@ -34,15 +37,17 @@ class EnvironmentLight {
   ///          Importance Sampling", ACM TOG 38(6), 2019.
   /// Checked: Sky.IrradianceOfTheSkyIsFoundWithFewSamples
   Sample sample(Vec2 u) const { return sample_from(*standing_out_, u); }
-  float pdf(const Vec3& direction) const;
+  float pdf(const Vec3& direction) const { return pdf(direction, table_.cell_of(direction)); }
+  float pdf(const Vec3& direction, std::size_t cell) const;
   /// In proportion to radiance, without MIS: for photons.
-  Sample sample_alone(Vec2 u) const { return sample_from(*table_, u); }
+  Sample sample_alone(Vec2 u) const { return sample_from(*in_proportion_, u); }
 
  private:
-  static Sample sample_from(const sampling::Distribution2D& table, Vec2 u);
+  Sample sample_from(const sampling::Distribution2D& distribution, Vec2 u) const;
 
-  std::unique_ptr<sampling::Distribution2D> table_, standing_out_;
-  float mean_luminance_ = 0;
+  EnvironmentTable table_;
+  std::unique_ptr<sampling::Distribution2D> in_proportion_, standing_out_;
+  float mean_luminance_ = 0, unevenness_ = 0;
 };
 
 }  // namespace oriel

@@ -22,6 +22,10 @@ constexpr float kMinTriangleCosine = 1e-5f;
 /// Portals know the openings through which the environment shines, so a vertex after a diffuse
 /// bounce samples other directions less often: most of them are blocked. A guess.
 constexpr float kEnvironmentBesidePortals = 0.25f;
+/// Share of light above the mean from which on each vertex takes one sample of the environment.
+constexpr float kUnevennessOfOneSample = 0.2f;
+/// Below it, samples are so rare that they would only add noise.
+constexpr float kMinEnvironmentRate = 0.1f;
 
 /// Whether light from behind the surface counts.
 bool is_lit_through(const Closure& closure) {
@@ -119,18 +123,30 @@ float LightSampler::expected_samples(const LitVertex& at, int light) const {
                                                                                         light);
 }
 
-float LightSampler::environment_samples(bool after_diffuse) const {
+float LightSampler::environment_samples(bool after_diffuse, bool alone) const {
   if (!environment_.lights()) return 0;
-  return after_diffuse && !portals().empty() ? kEnvironmentBesidePortals : 1;
+  if (alone) return 1;
+  const float rate = std::min(1.0f, environment_.unevenness() / kUnevennessOfOneSample);
+  if (rate < kMinEnvironmentRate) return 0;
+  return after_diffuse && !portals().empty() ? kEnvironmentBesidePortals * rate : rate;
 }
 
-std::optional<LightDirection> LightSampler::sample_environment(const LitVertex& at, Vec2 u,
-                                                               bool alone) const {
+LightSampler::EnvironmentFound LightSampler::find_environment(float expected_samples,
+                                                              const EnvironmentRay& ray) const {
+  if (!(expected_samples > 0)) return {environment_radiance(ray), 0};
+  const std::size_t cell = environment_.table().cell_of(ray.direction);
+  return {environment_.table().radiance(world_, ray, cell),
+          environment_.pdf(ray.direction, cell) * expected_samples};
+}
+
+std::optional<EnvironmentDirection> LightSampler::sample_environment(const LitVertex& at, Vec2 u,
+                                                                     bool alone) const {
   const float expected = at.environment_samples;
   if (u.x >= expected) return std::nullopt;
   u.x = std::min(u.x / expected, 0x1.fffffep-1f);
   const auto s = alone ? environment_.sample_alone(u) : environment_.sample(u);
-  return LightDirection{s.wi, std::numeric_limits<float>::infinity(), s.pdf * expected};
+  return EnvironmentDirection{{s.wi, std::numeric_limits<float>::infinity(), s.pdf * expected},
+                              s.cell};
 }
 
 std::optional<TriangleSample> LightSampler::sample_triangle(const LitPoint& at, float time,

@@ -77,6 +77,10 @@ struct LightDirection {
   float pdf = 0;
 };
 
+struct EnvironmentDirection : LightDirection {
+  std::size_t cell = 0;  ///< of the environment's table
+};
+
 struct TriangleSample : LightDirection {
   std::uint32_t instance = 0, primitive = 0;  ///< of the world's accel
 };
@@ -122,12 +126,25 @@ class LightSampler {
   // The environment
 
   const EnvironmentLight& environment() const { return environment_; }
-  /// Expected number of samples for a vertex; 0 if the environment is black.
-  float environment_samples(bool after_diffuse) const;
-  /// A direction, or by chance none. `alone`: no BSDF sample is combined with this one.
-  std::optional<LightDirection> sample_environment(const LitVertex& at, Vec2 u, bool alone) const;
-  float environment_pdf(const LitVertex& at, const Vec3& direction) const {
-    return environment_.pdf(direction) * at.environment_samples;
+  /// Expected number of samples for a vertex. `alone`: no BSDF sample is combined with them;
+  /// otherwise those find an even environment as well, which gets none.
+  float environment_samples(bool after_diffuse, bool alone) const;
+  /// A direction, or by chance none.
+  std::optional<EnvironmentDirection> sample_environment(const LitVertex& at, Vec2 u,
+                                                         bool alone) const;
+  /// What a ray of kind FinalGather that hits nothing finds.
+  struct EnvironmentFound {
+    Rgb radiance{0};
+    float pdf = 0;  ///< of sample_environment
+  };
+  /// Inputs:  expected_samples: of the vertex that the ray left.
+  EnvironmentFound find_environment(float expected_samples, const EnvironmentRay& ray) const;
+  /// The same radiance alone.
+  Rgb environment_radiance(const EnvironmentRay& ray) const {
+    return environment_.table().radiance(world_, ray);
+  }
+  Rgb environment_radiance(const EnvironmentRay& ray, const EnvironmentDirection& sampled) const {
+    return environment_.table().radiance(world_, ray, sampled.cell);
   }
 
   // Emissive triangles

@@ -60,7 +60,7 @@ class Scene {
   LightSampler sampler(MeshLights mesh_lights = {}) {
     world.accel->commit();
     EnvironmentLight environment(world);
-    open_portals(world);
+    open_portals(world, environment.table().detailed());
     return LightSampler(world, std::move(environment), std::move(mesh_lights));
   }
   LitVertex vertex() {
@@ -164,13 +164,13 @@ TEST(LightSampler, OneSampleIsWeightedByTheExpectedSampleCount) {
 TEST(LightSampler, EnvironmentSamplesMatchTheirCountAndPdf) {
   Scene scene;
   LitVertex at = scene.vertex();
-  EXPECT_EQ(scene.sampler().environment_samples(true), 0) << "there is none";
+  EXPECT_EQ(scene.sampler().environment_samples(true, false), 0) << "there is none";
   scene.world.environment = {&scene.sky};
-  EXPECT_EQ(scene.sampler().environment_samples(true), 1);
+  EXPECT_EQ(scene.sampler().environment_samples(true, false), 1);
   scene.add_portal();
   const LightSampler sampler = scene.sampler();
-  EXPECT_EQ(sampler.environment_samples(false), 1);
-  at.environment_samples = sampler.environment_samples(true);
+  EXPECT_EQ(sampler.environment_samples(false, false), 1);
+  at.environment_samples = sampler.environment_samples(true, false);
   EXPECT_GT(at.environment_samples, 0);
   EXPECT_LT(at.environment_samples, 1);
   constexpr int kDraws = 40000;
@@ -192,7 +192,8 @@ TEST(LightSampler, EnvironmentSamplesMatchTheirCountAndPdf) {
     sampling::Sampler random(i, 1, 0);
     const auto s = sampler.sample_environment(at, random.next_2d(), false);
     if (!s) continue;
-    EXPECT_NEAR(sampler.environment_pdf(at, s->wi) / s->pdf, 1, 1e-3);
+    EXPECT_NEAR(sampler.find_environment(at.environment_samples, {.direction = s->wi}).pdf / s->pdf,
+                1, 1e-3);
   }
 }
 

@@ -262,8 +262,8 @@ Rgb PhotonSource::power_at_rest(const EmittedPhoton& photon, float distance,
   if (!(scene_radius_ > 0) || !(distance > 0)) return Rgb(0);
   if (!light_) {
     if (!world_->light_sampler->environment().lights()) return Rgb(0);
-    return rgb(environment_radiance(world_->environment, *world_, aim_centre_, -photon.direction,
-                                    RayKind::FinalGather)) *
+    return world_->light_sampler->environment_radiance(
+               {.origin = aim_centre_, .direction = -photon.direction}) *
            photon.weight;
   }
   const Light& light = *light_;

@@ -12,18 +12,22 @@ namespace oriel {
 
 struct World;
 
-/// The environment behind portals of one orientation, over two angles in which every rectangle of
-/// that orientation, seen from any point, is an axis-aligned rectangle.
+/// The environment behind portals of one orientation, over two coordinates in which every rectangle
+/// of that orientation, seen from any point, is an axis-aligned rectangle.
 ///
-/// Model:   luminance times solid angle over (atan x/z, atan y/z); z points outside, x and y along
-///          the edges. A share of the mean is spread evenly over directions, so that details
-///          below the resolution of the table have a density above 0.
+/// Model:   luminance times solid angle over x / (|x| + z), y / (|y| + z); z points outside, x and
+/// y
+///          along the edges. The coordinates replace the angles of the source: they need no
+///          trigonometry and are within a factor of 2 as even. A share of the mean is spread evenly
+///          over directions, so that details below the resolution of the table have a density
+///          above 0.
 /// Source:  Bitterli, Novak, Jarosz, "Portal-Masked Environment Map Sampling", EGSR 2015.
 /// Checked: Portal.* in tests/analytic/portals/portal_test.cpp.
 class PortalTable {
  public:
+  /// Inputs:  detailed: the environment may have small details, as pictures have.
   PortalTable(const NodeList& shaders, const World& world, RayKind lookup, const Vec3& x,
-              const Vec3& y, const Vec3& z);
+              const Vec3& y, const Vec3& z, bool detailed);
 
   const Vec3& x() const { return x_; }
   const Vec3& y() const { return y_; }
@@ -44,6 +48,8 @@ class PortalTable {
   float mean_luminance() const { return mean_luminance_; }
   /// Whether the environment is so uneven that the choice among portals should depend on it.
   bool uneven() const { return uneven_; }
+  /// Whether directions through a portal should depend on it.
+  bool structured() const { return structured_; }
   /// Luminance times solid angle within a rectangle at z = 1 by x, y, z; blurred over a few
   /// degrees.
   float rough_integral(float x0, float x1, float y0, float y1) const;
@@ -52,11 +58,15 @@ class PortalTable {
   Vec3 x_, y_, z_;
   NodeList shaders_;
   RayKind lookup_;
-  bool lights_ = false, uneven_ = false;
+  bool lights_ = false, uneven_ = false, structured_ = false;
   float mean_luminance_ = 0;
   std::unique_ptr<sampling::WindowedDistribution2D> table_, rough_;
 };
 
+/// Whether the portal is sampled by its table, instead of as a shape.
+inline bool is_sampled_by_table(const Portal& portal) {
+  return portal.table && portal.table->structured();
+}
 /// A point of the portal, by its table.
 std::optional<ShapeSample> sample_through(const Light& light, const Vec3& from, Vec2 u);
 /// Density of sample_through for a direction that hits the portal.
@@ -97,7 +107,8 @@ PortalsOnWay portals_on_way(const World& world, const Vec3& from, const Vec3& di
 bool is_behind_portal(const World& world, const Vec3& point, const Vec3& to_source, float t_most,
                       float time);
 
-/// Orients and completes the portals among the lights; requires the bound environment.
-void open_portals(World& world);
+/// Orients and completes the portals among the lights; requires the bound environment. `detailed`:
+/// see PortalTable.
+void open_portals(World& world, bool detailed);
 
 }  // namespace oriel

@@ -42,7 +42,8 @@ Rgb radiance_behind(const Light& light, const MovedLight* moved, const Vec3& fro
 std::optional<LightSample> sample_portal(const Light& light, const Vec3& from, Vec2 u,
                                          const MovedLight* moved) {
   const Portal& portal = *light.portal;
-  const auto s = portal.table ? sample_through(light, from, u) : sample_shape(light, from, u);
+  const auto s =
+      is_sampled_by_table(portal) ? sample_through(light, from, u) : sample_shape(light, from, u);
   if (!s || !(s->distance > 0)) return std::nullopt;
   const Rgb radiance =
       radiance_behind(light, moved, from, s->wi, s->distance, s->cosine, RayKind::Light);
@@ -199,8 +200,9 @@ std::optional<LightHit> intersect_still(const Light& light, ShadingPoint& from,
   const float cosine = is_flat(light.shape) ? hit->facing : 1;
   LightHit result;
   result.t = hit->t;
-  result.pdf = light.portal && light.portal->table ? pdf_through(light, o, direction)
-                                                   : shape_pdf(light, o, direction, *hit);
+  result.pdf = light.portal && is_sampled_by_table(*light.portal)
+                   ? pdf_through(light, o, direction)
+                   : shape_pdf(light, o, direction, *hit);
   if (light.portal) {
     result.radiance = radiance_behind(light, moved, o, direction, hit->t, cosine, kind);
     result.shadow = light.portal->shadows && light.portal->shadow_extension == 0;

@@ -137,7 +137,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   place_geometry(scene, leaves, light_names, command.options, binder, options, *world, diagnostics,
                  report);
   if (!has_buffer_writers(*world)) world->user_buffers.clear();
-  open_portals(*world);
+  open_portals(*world, environment.table().detailed());
   const std::vector<EmissionKind> emissive = emissive_materials(*world);
   world->light_sampler = std::make_shared<const LightSampler>(*world, std::move(environment),
                                                               mesh_lights_of(*world, emissive));

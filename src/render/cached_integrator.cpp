@@ -17,6 +17,9 @@ namespace {
 /// placed. With 1, a room lit through a window is a few percent too bright near the window; an
 /// estimate.
 constexpr float kGatherError = 0.5f;
+/// Length of a ray, in radii of a coarse record, up to which a path does not end at the record:
+/// near an edge it is too coarse. A guess.
+constexpr float kRetrace = 2;
 /// Number of stored photons per light, and maximum number of emitted ones.
 constexpr std::uint64_t kPhotonsPerLight = 100000, kMaxPhotons = 2000000;
 
@@ -126,6 +129,7 @@ void CachedIntegrator::trace(const Camera::Ray& eye, Vec2 raster, float paths_of
 void CachedIntegrator::prepare(const IntegratorPreparation& p) {
   if (plan_.global || plan_.caustic) trace_photon_maps(p);
   if (plan_.gather) gather(p);
+  if (plan_.bounces) cache_bounces(gather_passes(p.seed), p);
   if (!caches_only()) grid_.emplace(world_, path_settings(), p.seed, p.counts);
 }
 
@@ -176,6 +180,7 @@ void CachedIntegrator::use_bounces() {
   maps_.bounces = &bounces_.cache;
   maps_.bounces_query = bounces_.query;
   maps_.bounces_held = bounces_.held;
+  if (plan_.bounces) maps_.retrace = kRetrace * bounces_.query.radii.min;
 }
 
 void CachedIntegrator::use_gather_points(const GatherPasses& passes) {
@@ -184,16 +189,19 @@ void CachedIntegrator::use_gather_points(const GatherPasses& passes) {
   maps_.gather_scale = rgb(world_.options.finalgather.scale);
 }
 
+void CachedIntegrator::cache_bounces(const GatherPasses& passes, const IntegratorPreparation& p) {
+  if (paths_.diffuse_bounces <= 0) return;
+  GatherSettings behind = passes.records;
+  behind.path.finite_lights = !plan_.global;
+  bounces_ = gather_bounces(world_, first_gather_points(world_, p.window, passes, p.counts), behind,
+                            p.seed, p.counts, p.monitor);
+  use_bounces();
+}
+
 void CachedIntegrator::gather(const IntegratorPreparation& p) {
   const scene::FinalGatherOptions& options = world_.options.finalgather;
   GatherPasses passes = gather_passes(p.seed);
-  if (paths_.diffuse_bounces > 0) {
-    GatherSettings behind = passes.records;
-    behind.path.finite_lights = !plan_.global;
-    bounces_ = gather_bounces(world_, first_gather_points(world_, p.window, passes, p.counts),
-                              behind, p.seed, p.counts, p.monitor);
-    use_bounces();
-  }
+  cache_bounces(passes, p);
   const IndirectCaches behind = maps_;
   if (plan_.global || plan_.caustic || maps_.bounces) passes.records.path.maps = &behind;
 
@@ -245,6 +253,11 @@ void CachedIntegrator::restore(CheckpointReader& in, const IntegratorPreparation
     bounces_.query = bounces_query(world_);
     if (paths_.diffuse_bounces > 0) use_bounces();
     use_gather_points(passes);
+  }
+  if (plan_.bounces) {
+    gather_passes(p.seed);
+    bounces_.query = bounces_query(world_);
+    if (paths_.diffuse_bounces > 0) use_bounces();
   }
   grid_.emplace(world_, path_settings(), p.seed, p.counts);
 }

@@ -47,6 +47,7 @@ class CachedIntegrator final : public Integrator {
   void use_photon_maps();
   GatherPasses gather_passes(std::uint32_t seed);
   void gather(const IntegratorPreparation& p);
+  void cache_bounces(const GatherPasses& passes, const IntegratorPreparation& p);
   void use_bounces();
   void use_gather_points(const GatherPasses& passes);
   PathSettings path_settings() const;

@@ -6,6 +6,7 @@ namespace oriel {
 const char* IndirectPlan::name() const {
   if (gather) return global ? "fg+photons" : "fg";
   if (global) return "photons";
+  if (bounces) return "path+cache";
   return indirect ? "path" : "none";
 }
 
@@ -14,8 +15,9 @@ IndirectPlan plan_indirect(const scene::RenderOptions& options) {
   const Method m = options.indirect;
   IndirectPlan plan;
   plan.by_name = m != Method::Scene;
-  if (m == Method::Path) {
+  if (m == Method::Path || m == Method::PathCache) {
     plan.indirect = true;
+    plan.bounces = m == Method::PathCache;
     return plan;
   }
   plan.gather = plan.by_name ? m != Method::Photons : options.finalgather.on;

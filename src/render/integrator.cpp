@@ -18,6 +18,8 @@ std::unique_ptr<Integrator> make(const World& world) {
 
 constexpr IntegratorSpec kIntegrators[] = {
     {Method::Path, "path", "path tracing", make<CachedIntegrator>},
+    {Method::PathCache, "path+cache", "path tracing with a cache behind the first diffuse bounce",
+     make<CachedIntegrator>},
     {Method::FinalGather, "fg", "final gathering", make<CachedIntegrator>},
     {Method::Photons, "photons", "photon maps", make<CachedIntegrator>},
     {Method::FinalGatherPhotons, "fg+photons", "final gathering of photon maps",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -49,7 +50,8 @@ class Distribution1D {
 
  private:
   std::vector<float> values_;
-  std::vector<float> cdf_;  // size() + 1 entries from 0 to exactly 1
+  std::vector<float> cdf_;            // size() + 1 entries from 0 to exactly 1
+  std::vector<std::uint32_t> guide_;  // the cell of each multiple of 1 / size()
   float integral_ = 0;
   float inverse_integral_ = 0;
 };
@@ -62,7 +64,8 @@ class Distribution2D {
  public:
   struct Sample {
     Vec2 uv;
-    float pdf;  ///< with respect to area in [0,1)^2
+    float pdf;          ///< with respect to area in [0,1)^2
+    std::size_t index;  ///< cell of uv
   };
 
   Distribution2D() : Distribution2D(std::vector<float>{1.0f}, 1, 1) {}
@@ -74,13 +77,17 @@ class Distribution2D {
   float integral() const { return integral_; }
 
   Sample sample(const Vec2& u) const;
-  float pdf(const Vec2& uv) const;
+  /// The cell of a point, row after row.
+  std::size_t cell(const Vec2& uv) const;
+  float pdf(std::size_t cell) const { return values_[cell] * inverse_integral_; }
+  float pdf(const Vec2& uv) const { return pdf(cell(uv)); }
 
  private:
   std::size_t width_ = 0, height_ = 0;
   std::vector<float> values_;
-  std::vector<float> row_cdf_;   // height x (width + 1)
-  std::vector<float> marginal_;  // height + 1
+  std::vector<float> row_cdf_;                             // height x (width + 1)
+  std::vector<float> marginal_;                            // height + 1
+  std::vector<std::uint32_t> row_guide_, marginal_guide_;  // as Distribution1D's
   float integral_ = 0;
   float inverse_integral_ = 0;
 };

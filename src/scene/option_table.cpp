@@ -341,7 +341,7 @@ constexpr Row<O> kOptionRows[] = {
     // String options
     {"\"cryptomatte\"", "bool|int", Effective, "mattes of EXR files; ranks of a pixel",
      set_mattes},
-    {"\"indirect\"", "scene|path|fg|photons|fg+photons", Effective, "how light is gathered",
+    {"\"indirect\"", "scene|path|path+cache|fg|photons|fg+photons", Effective, "how light is gathered",
      to<&O::indirect>},
     {"\"unified sampling\"", "bool|float", Effective, "off: the other \"samples\" options do not act",
      set_unified_sampling},

@@ -53,7 +53,14 @@ enum class Space : std::uint8_t { Object, Camera, Mixed, World };
 /// maps.
 enum class MapMode : std::uint8_t { Off, On, Only, OpenGl, Detail };
 /// Method for indirect light. Scene: chosen by the photon and final gathering statements.
-enum class IndirectMethod : std::uint8_t { Scene, Path, FinalGather, Photons, FinalGatherPhotons };
+enum class IndirectMethod : std::uint8_t {
+  Scene,
+  Path,
+  PathCache,
+  FinalGather,
+  Photons,
+  FinalGatherPhotons
+};
 
 /// `caustic ...`, `globillum ...` or `photonvol ...`.
 struct PhotonOptions {
@@ -167,7 +174,9 @@ struct RenderOptions {
 
   /// Whether photons compute caustics. Path tracing does not: with it, glass casts transparent
   /// shadows.
-  bool brings_caustics() const { return caustic.on && indirect != IndirectMethod::Path; }
+  bool brings_caustics() const {
+    return caustic.on && indirect != IndirectMethod::Path && indirect != IndirectMethod::PathCache;
+  }
 
   bool operator==(const RenderOptions&) const = default;
 };

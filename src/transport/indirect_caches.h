@@ -36,6 +36,8 @@ struct IndirectCaches {
   const GatherCache* bounces = nullptr;
   GatherQuery bounces_query;
   int bounces_held = 0;
+  /// Rays up to this length, times a random number, do not read them; scene units.
+  float retrace = 0;
   const PhotonMap* global = nullptr;  ///< read behind gather rays, or by the eye without `gather`
   PhotonLookup global_lookup;
   const PhotonMap* caustic = nullptr;  ///< read everywhere

@@ -100,7 +100,7 @@ class BounceSolver {
       maps.bounces_held = all ? PathSettings::kAllBounces : b.held;
       settings_.path.maps = &maps;
       settings_.path.diffuse_bounces = maps.bounces_held;
-      before = std::exchange(records_, gather(points_, 0));
+      before = std::exchange(records_, all ? gather_again() : gather(points_, 0));
       double change = 0, total = 0;
       for (std::size_t i = 0; i < records_.size(); ++i) {
         change += std::abs(luminance(records_[i].irradiance - before[i].irradiance));
@@ -160,6 +160,22 @@ class BounceSolver {
     return records;
   }
 
+  /// The records with the light that the current ones have, by rays that are traced in the first
+  /// round only.
+  std::vector<GatherRecord> gather_again() {
+    const bool first = rays_.empty();
+    if (first) rays_.resize(points_.size());
+    std::vector<GatherRecord> records(points_.size());
+    each(points_.size(), [&](std::size_t i, RayCounts& counts) {
+      const sampling::Sampler stream(kRecordColumn, static_cast<int>(i), 0, seed_);
+      if (first) rays_[i] = trace_gather_rays(world_, points_[i], settings_, stream, counts, true);
+      records[i] = rays_[i].complete
+                       ? gathered_record(world_, points_[i], settings_, rays_[i], &cache_)
+                       : gather_at(world_, points_[i], settings_, stream, counts);
+    });
+    return records;
+  }
+
   void add_tail(const std::vector<GatherRecord>& before, float tail) {
     for (std::size_t i = 0; i < records_.size(); ++i) {
       Rgb& e = records_[i].irradiance;
@@ -198,6 +214,7 @@ class BounceSolver {
   GatherCache cache_;
   std::vector<GatherPoint> points_;
   std::vector<GatherRecord> records_;  ///< of the points
+  std::vector<GatherRays> rays_;       ///< of the points, with what they read
 };
 
 }  // namespace

@@ -165,6 +165,21 @@ void GatherCache::nearest(std::uint32_t index, const GatherQuery& q, Nearest& fo
       nearest(order[i].index, q, found);
 }
 
+Rgb GatherCache::irradiance(const GatherStencil& from, const Vec3& position, const Vec3& normal,
+                            Rgb* by_light, std::size_t layers) const {
+  GatherQuery q;
+  q.position = position;
+  q.normal = normal;
+  q.by_light = by_light;
+  q.layers = layers;
+  Sum sum;
+  for (int i = 0; i < from.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    sum.add(records_[from.record[k]], q, from.weight[k]);
+  }
+  return sum.result.irradiance;
+}
+
 std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
   if (nodes_.empty()) return std::nullopt;
   Sum sum;
@@ -186,8 +201,11 @@ std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
   const bool alike = !(found.heap[0].error < h);
   for (std::size_t i = 0; i <= last; ++i) {
     const float w = alike ? 1 : sqr(1 - sqr(std::min(1.0f, found.heap[i].error / h)));
-    if (w > 0) sum.add(records_[found.heap[i].record], q, w);
+    if (!(w > 0)) continue;
+    sum.add(records_[found.heap[i].record], q, w);
+    if (q.stencil) q.stencil->add(found.heap[i].record, w);
   }
+  if (q.stencil) q.stencil->divide(sum.weight);
   if (!q.by_error && q.radii.max > 0)
     sum.result.fade = falling(0.5f, 1, found.heap[0].error / q.radii.max);
   return sum.finished(q);

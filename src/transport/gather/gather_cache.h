@@ -2,14 +2,33 @@
 // The irradiance cache: selects stored records for a surface point and interpolates them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "base/assert.h"
 #include "transport/gather/gather_record.h"
 
 namespace oriel {
+
+/// The records of a look-up with their weights.
+struct GatherStencil {
+  static constexpr int kMax = 8;
+  std::array<std::uint32_t, kMax> record;
+  std::array<float, kMax> weight;
+  int count = 0;
+
+  void add(std::uint32_t r, float w) {
+    ORIEL_ASSERT(count < kMax);
+    record[static_cast<std::size_t>(count)] = r;
+    weight[static_cast<std::size_t>(count++)] = w;
+  }
+  void divide(float sum) {
+    for (int i = 0; i < count; ++i) weight[static_cast<std::size_t>(i)] /= sum;
+  }
+};
 
 /// A look-up of the cache.
 struct GatherQuery {
@@ -30,6 +49,8 @@ struct GatherQuery {
   Rgb* by_light = nullptr;
   std::size_t layers = 0;
   bool through_walls = false;  ///< last resort: skip the tests for light leaks
+  /// Receives the records used and their weights, whose sum is 1; may be null.
+  GatherStencil* stencil = nullptr;
 
   /// Whether irradiance falls to 0 far from records.
   bool fades() const { return points > 0 && !by_error && radii.max > 0; }
@@ -86,6 +107,10 @@ class GatherCache {
   void shorten_by_curvature(float tolerance);
 
   std::optional<Gathered> interpolate(const GatherQuery& query) const;
+  /// Irradiance at the place of an earlier look-up, by its records and weights, with gradients.
+  /// `by_light`: see GatherQuery.
+  Rgb irradiance(const GatherStencil& from, const Vec3& position, const Vec3& normal,
+                 Rgb* by_light = nullptr, std::size_t layers = 0) const;
 
   bool empty() const { return records_.empty(); }
   /// In the order of insertion, with their original radii.

@@ -135,10 +135,9 @@ float kept_of(const GatherSettings& settings, const PathResult& found) {
 }
 
 Rgb open_sky(const World& world, const Vec3& origin, const Vec3& direction, RayCounts& counts) {
-  const NodeList& sky = world.environment;
-  if (sky.empty()) return Rgb(0);
+  if (world.environment.empty()) return Rgb(0);
   ++counts.environment;
-  return rgb(environment_radiance(sky, world, origin, direction, RayKind::FinalGather));
+  return world.light_sampler->environment_radiance({.origin = origin, .direction = direction});
 }
 
 Rgb not_negative(const Rgb& c) {
@@ -147,81 +146,142 @@ Rgb not_negative(const Rgb& c) {
 
 }  // namespace
 
-GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSettings& settings,
-                       const sampling::Sampler& sampler, RayCounts& counts) {
+namespace {
+
+std::size_t layers_of(const World& world) {
+  return world.light_layers.asked() ? world.light_layers.count() : 0;
+}
+
+/// Traces the rays of one point and sums them by stratum.
+class RayGatherer {
+ public:
+  RayGatherer(const World& world, const GatherPoint& at, const GatherSettings& settings,
+              RayCounts& counts, bool keeps_reads, GatherRays& out)
+      : world_(world),
+        at_(at),
+        settings_(settings),
+        counts_(counts),
+        layers_(layers_of(world)),
+        side_(dot(at.normal, at.point.geometric_normal) < 0 ? -1.0f : 1.0f),
+        record_({.light_layers = layers_}),
+        out_(out) {
+    if (keeps_reads) record_.bounce_reads = &reads_;
+  }
+
+  /// One ray; adds its light to the stratum and returns it.
+  GatherSample trace(int stratum, sampling::Sampler& stream) {
+    record_.reset();
+    reads_.of.clear();
+    GatherSample s;
+    s.direction = out_.hemisphere.direction(stratum, stream.next_2d());
+    if (side_ * dot(s.direction, at_.point.geometric_normal) <= 0) return s;
+    const float reach = settings_.reach > 0 ? settings_.reach : kInfinity;
+    trace_gather_ray(world_, at_.point, s.direction, reach, settings_.path, record_, stream,
+                     counts_);
+    const float kept = kept_of(settings_, record_);
+    s.radiance = record_.radiance;
+    LightParts& by_light = record_.by_light;
+    if (kept < 1) {
+      const Rgb open = open_sky(world_, at_.point.position, s.direction, counts_) * (1 - kept);
+      s.radiance = s.radiance * kept + open;
+      for (std::size_t i = 0; i < layers_; ++i) by_light.of[i] *= kept;
+      if (layers_ > 0) by_light.of[world_.light_layers.environment] += open;
+      reads_.scale(0, Rgb(kept));
+    }
+    if (record_.depth > 0) {
+      s.distance = record_.depth;
+      s.normal = record_.normal;
+    }
+    for (std::size_t i = 0; i < layers_; ++i)
+      if (is_finite(by_light.of[i]))
+        out_.by_light[static_cast<std::size_t>(stratum) * layers_ + i] +=
+            not_negative(by_light.of[i]);
+    for (const BounceReads::Read& read : reads_.of) out_.reads.push_back({stratum, read});
+    out_.complete &= reads_.complete;
+    return s;
+  }
+
+ private:
+  const World& world_;
+  const GatherPoint& at_;
+  const GatherSettings& settings_;
+  RayCounts& counts_;
+  std::size_t layers_;
+  float side_;
+  PathRecord record_;
+  BounceReads reads_;
+  GatherRays& out_;
+};
+
+}  // namespace
+
+GatherRays trace_gather_rays(const World& world, const GatherPoint& at,
+                             const GatherSettings& settings, const sampling::Sampler& sampler,
+                             RayCounts& counts, bool keeps_reads) {
   sampling::Sampler turn = sampler;
-  const std::size_t layers = world.light_layers.asked() ? world.light_layers.count() : 0;
+  const std::size_t layers = layers_of(world);
   const int rays =
       std::max(4, static_cast<int>(std::lround(static_cast<float>(settings.rays) * at.quality)));
   const int spread = std::max(4, static_cast<int>(static_cast<float>(rays) * kSpreadShare));
-  const auto hemisphere = GatherHemisphere::for_rays(at.normal, spread, turn.next_1d());
-  const float side = dot(at.normal, at.point.geometric_normal) < 0 ? -1.0f : 1.0f;
-  // By light layer: of the current ray, and of each stratum.
-  PathRecord r({.light_layers = layers});
-  LightParts& by_light = r.by_light;
-  const auto trace = [&](int stratum, sampling::Sampler& stream) {
-    r.reset();
-    GatherSample s;
-    s.direction = hemisphere.direction(stratum, stream.next_2d());
-    if (side * dot(s.direction, at.point.geometric_normal) <= 0) return s;
-    const float reach = settings.reach > 0 ? settings.reach : kInfinity;
-    trace_gather_ray(world, at.point, s.direction, reach, settings.path, r, stream, counts);
-    const float kept = kept_of(settings, r);
-    s.radiance = r.radiance;
-    if (kept < 1) {
-      const Rgb open = open_sky(world, at.point.position, s.direction, counts) * (1 - kept);
-      s.radiance = s.radiance * kept + open;
-      for (std::size_t i = 0; i < layers; ++i) by_light.of[i] *= kept;
-      if (layers > 0) by_light.of[world.light_layers.environment] += open;
-    }
-    if (r.depth > 0) {
-      s.distance = r.depth;
-      s.normal = r.normal;
-    }
-    return s;
-  };
-  const int strata = hemisphere.count();
-  std::vector<GatherSample> samples(static_cast<std::size_t>(strata));
-  std::vector<Rgb> shares(static_cast<std::size_t>(strata) * layers, Rgb(0));
-  const auto take_layers = [&](int stratum) {
-    for (std::size_t i = 0; i < layers; ++i)
-      if (is_finite(by_light.of[i]))
-        shares[static_cast<std::size_t>(stratum) * layers + i] += not_negative(by_light.of[i]);
-  };
+  GatherRays out;
+  out.hemisphere = GatherHemisphere::for_rays(at.normal, spread, turn.next_1d());
+  const int strata = out.hemisphere.count();
+  out.samples.resize(static_cast<std::size_t>(strata));
+  out.by_light.assign(static_cast<std::size_t>(strata) * layers, Rgb(0));
+  RayGatherer gatherer(world, at, settings, counts, keeps_reads, out);
   for (int i = 0; i < strata; ++i) {
     auto stream =
         sampler.split(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(strata), 0);
-    samples[static_cast<std::size_t>(i)] = trace(i, stream);
-    take_layers(i);
+    out.samples[static_cast<std::size_t>(i)] = gatherer.trace(i, stream);
   }
-  const std::vector<int> more =
-      share_rays(samples, hemisphere.rings, hemisphere.sectors, std::max(0, rays - strata));
+  const std::vector<int> more = share_rays(out.samples, out.hemisphere.rings,
+                                           out.hemisphere.sectors, std::max(0, rays - strata));
   for (int i = 0; i < strata; ++i) {
-    GatherSample& s = samples[static_cast<std::size_t>(i)];
+    GatherSample& s = out.samples[static_cast<std::size_t>(i)];
     const int n = more[static_cast<std::size_t>(i)];
     for (int j = 0; j < n; ++j) {
       auto stream = sampler.split(static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(n),
                                   static_cast<std::uint32_t>(i + 1));
-      s.radiance += trace(i, stream).radiance;
-      take_layers(i);
+      s.radiance += gatherer.trace(i, stream).radiance;
     }
     s.radiance /= static_cast<float>(n + 1);
-    const std::size_t own = static_cast<std::size_t>(i) * layers;
-    for (std::size_t k = 0; k < layers; ++k) {
-      const Rgb mean = shares[own + k] / static_cast<float>(n + 1);
-      if (i > 0)
-        shares[k] += mean;
-      else
-        shares[k] = mean;
-    }
+    for (std::size_t k = 0; k < layers; ++k)
+      out.by_light[static_cast<std::size_t>(i) * layers + k] /= static_cast<float>(n + 1);
   }
+  for (GatherRays::Read& read : out.reads)
+    read.of.factor /= static_cast<float>(more[static_cast<std::size_t>(read.stratum)] + 1);
+  return out;
+}
+
+GatherRecord gathered_record(const World& world, const GatherPoint& at,
+                             const GatherSettings& settings, const GatherRays& rays,
+                             const GatherCache* coarse) {
+  const std::size_t layers = layers_of(world);
+  std::vector<GatherSample> samples = rays.samples;
+  std::vector<Rgb> shares(layers, Rgb(0));
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    for (std::size_t k = 0; k < layers; ++k) shares[k] += rays.by_light[i * layers + k];
+  LightParts parts;
+  if (coarse)
+    for (const GatherRays::Read& read : rays.reads) {
+      parts.clear(layers);
+      const Rgb e = coarse->irradiance(read.of.records, read.of.position, read.of.normal,
+                                       layers > 0 ? parts.data() : nullptr, layers);
+      samples[static_cast<std::size_t>(read.stratum)].radiance += read.of.factor * e;
+      for (std::size_t k = 0; k < layers; ++k) shares[k] += read.of.factor * parts.of[k];
+    }
   GatherRecord record =
-      make_gather_record(at.point.position, hemisphere, samples,
+      make_gather_record(at.point.position, rays.hemisphere, samples,
                          settings.radii.in_scene(pixel_width(at.point)), settings.filter);
-  shares.resize(layers);
   normalise_shares(shares);
-  record.shares = {shares.begin(), shares.end()};
+  record.shares = std::move(shares);
   return record;
+}
+
+GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSettings& settings,
+                       const sampling::Sampler& sampler, RayCounts& counts) {
+  return gathered_record(world, at, settings,
+                         trace_gather_rays(world, at, settings, sampler, counts, false));
 }
 
 }  // namespace oriel

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "transport/counts.h"
+#include "transport/gather/bounce_reads.h"
 #include "transport/indirect_caches.h"
 #include "transport/path/path.h"
 
@@ -50,6 +51,29 @@ GatherSettings gather_settings(const scene::RenderOptions& options, const geom::
 ///          nearest records within the maximum radius, with a fade to black. 3.4: all records
 ///          within their radius. Strict 3.4: the same without gradients.
 GatherQuery gather_query(const scene::FinalGatherOptions& options, const GatherRadii& radii);
+
+/// The rays of one record. If their reads of coarse records were kept apart, the record can be made
+/// again after those have changed.
+struct GatherRays {
+  struct Read {
+    int stratum;
+    BounceReads::Read of;
+  };
+  GatherHemisphere hemisphere;
+  std::vector<GatherSample> samples;  ///< by stratum, without the reads
+  std::vector<Rgb> by_light;          ///< the same by light layer: strata x layers
+  std::vector<Read> reads;
+  bool complete = true;  ///< see BounceReads
+};
+
+/// Traces the rays of a record. `keeps_reads`: coarse records are not added but kept as reads.
+GatherRays trace_gather_rays(const World& world, const GatherPoint& at,
+                             const GatherSettings& settings, const sampling::Sampler& sampler,
+                             RayCounts& counts, bool keeps_reads);
+/// The record of these rays, with what their reads find in `coarse` (null: there are none).
+GatherRecord gathered_record(const World& world, const GatherPoint& at,
+                             const GatherSettings& settings, const GatherRays& rays,
+                             const GatherCache* coarse = nullptr);
 
 /// Gathers light at one point. Rays see surfaces and environment, no light sources.
 GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSettings& settings,

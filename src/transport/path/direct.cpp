@@ -154,8 +154,8 @@ void DirectSum::add_environment(const Vec2& u) {
   if (is_black(open.all) && !request_.observer) return;
   const Rgb straight = request_.rays_bend ? open.cut_outs : open.all;
   const Rgb radiance =
-      rgb(environment_radiance(world_.environment, world_,
-                               {point_.position, s->wi, RayKind::FinalGather, point_.raster})) *
+      sampler_.environment_radiance(
+          {.origin = point_.position, .direction = s->wi, .raster = point_.raster}, *s) *
       volume_transmittance_to_light(world_, point_, s->wi, std::numeric_limits<float>::infinity());
   ++counts_.environment;
   constexpr float kFar = std::numeric_limits<float>::infinity();

@@ -247,6 +247,8 @@ bool Path::shade_hit(const geom::Hit& hit) {
     add(aov_.at_vertex(Aov::Added),
         light_.throughput * closure.emission * emission_weight(hit, point),
         layer_of_instance(point.instance));
+  if (settings_.maps && settings_.maps->retrace > 0 && depth_.after_diffuse)
+    too_near_for_cache_ = distance < settings_.maps->retrace * sampler_.next_1d();
   return closure.count > 0 && shade_vertex(closure, material, point);
 }
 

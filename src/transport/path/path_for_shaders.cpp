@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/path/path_for_shaders.h"
+#include "transport/gather/bounce_reads.h"
 
 #include <utility>
 
 #include "sampling/warp.h"
+#include "transport/gather/bounce_reads.h"
 #include "transport/path/path_walk.h"
 #include "transport/scene_tracer.h"
 
@@ -31,6 +33,7 @@ std::span<Rgba> PathForShaders::user_buffers() const {
 
 /// A separate path that starts at this vertex; its radiance has no weight.
 Path PathForShaders::sub_path(const sampling::Sampler& stream, PathRecord& record) const {
+  if (BounceReads* reads = path_.record_->bounce_reads) reads->complete = false;
   sampling::Sampler own = stream;
   Path sub(path_.world_, path_.raster_, path_.settings_, record, own, path_.counts_);
   sub.grid_ = nullptr;
@@ -82,6 +85,7 @@ Rgb PathForShaders::irradiance(const ShadingPoint& point, const Vec3& normal,
   at.normal = normal;
   if (path_.visitor_ && path_.visitor_->on_irradiance(at, normal)) return Rgb(0);
   Rgb sum(0);
+  if (BounceReads* reads = path_.record_->bounce_reads) reads->complete = false;
   if (path_.reads_maps()) {
     if (path_.settings_.maps->caustic)
       sum += irradiance_at(*path_.settings_.maps->caustic, at, at.geometric_normal,

@@ -6,6 +6,7 @@
 #include "bsdf/ggx.h"
 #include "bsdf/oren_nayar.h"
 #include "sampling/warp.h"
+#include "transport/gather/bounce_reads.h"
 #include "transport/path/path_walk.h"
 
 namespace oriel {
@@ -57,10 +58,19 @@ std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3
   Rgb sum(0);
   if (coarse && allows(kSendsGatherRays)) {
     GatherQuery query = query_at(maps.bounces_query, point, normal);
-    query.by_light = by_light;
-    query.layers = layers;
-    const auto found = maps.bounces->interpolate(query);
+    BounceReads::Read read{{}, query.position, query.normal, settings_.further_bounces};
+    if (record_->bounce_reads) {
+      query.stencil = &read.records;
+    } else {
+      query.by_light = by_light;
+      query.layers = layers;
+    }
+    auto found = maps.bounces->interpolate(query);
     if (!found) return std::nullopt;
+    if (record_->bounce_reads) {
+      record_->bounce_reads->of.push_back(read);
+      found->irradiance = Rgb(0);
+    }
     sum += found->irradiance * settings_.further_bounces;
     for (std::size_t i = 0; i < layers; ++i) parts.of[i] *= settings_.further_bounces;
   }
@@ -111,9 +121,13 @@ bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
     for (std::size_t i = 0; i < layers; ++i) sums.of[i] += factor * parts.of[i];
   };
   bool complete = true;
+  const Rgb scale = light_.throughput * closure.indirect_scale;
+  BounceReads* reads = record_->bounce_reads;
+  const std::size_t reads_before = reads ? reads->of.size() : 0;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     if (!is_diffuse(lobe.kind)) continue;
+    const std::size_t first_read = reads ? reads->of.size() : 0;
     const bool passes = lobe.kind == LobeKind::Translucency;
     const Vec3 normal = lit_side(lobe);
     const Rgb albedo = albedo_of(lobe, point.wo()) * kInvPi;
@@ -130,11 +144,13 @@ bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
              *irradiance);
     else
       complete = false;
+    if (reads) reads->scale(first_read, scale * albedo * (passes ? Rgb(1) : light_.occlusion));
   }
-  const Rgb scale = light_.throughput * closure.indirect_scale;
   add(aov_.at_vertex(Aov::Indirect), scale * light_.occlusion, caustic, caustic_parts);
   add(aov_.at_vertex(Aov::Translucency), scale, caustic_through, caustic_through_parts);
+  if (reads && !complete) reads->of.resize(reads_before);
   if (!complete) return false;
+  if (reads && light_.near_distance > 0) reads->complete = false;
   if (light_.near_distance > 0) with_neighbours(closure, point, on_side, on_side_parts);
   add(aov_.at_vertex(Aov::Indirect), scale * light_.occlusion, on_side, on_side_parts);
   add(aov_.at_vertex(Aov::Translucency), scale, through, through_parts);

@@ -166,37 +166,46 @@ void Path::meet_environment() {
   if (fading_.distance > 0 || fading_.single_environment)
     return add(aov_.on_way(), light_.throughput * faded_to(), layer_of_faded());
   const NodeList& shaders = way_.environment ? *way_.environment : world_.environment;
-  if (!shaders.empty()) ++counts_.environment;
-  const Vec3 origin = way_.ray.org, direction = way_.ray.dir;
-  const RayKind kind = environment_kind(way_.kind);
-  const Rgba c =
-      shaders.empty()
-          ? Rgba(0, 0, 0, 0)
-          : environment_radiance(shaders, world_,
-                                 {origin, direction, kind, raster_, way_.blurred, way_.roughness});
-  if (eye_hit_.pending)
-    record_->alpha = clamp01(c.a);
-  else if (eye_hit_.alpha_open)
-    record_->alpha -= (1 - clamp01(c.a)) * mean_of(light_.throughput);
-  if (shaders.empty()) return;
-  Rgb radiance = rgb(c);
-  if (from_.weighed && from_.lights.environment_samples > 0 && !way_.environment) {
+  const bool alpha_counts = eye_hit_.pending || eye_hit_.alpha_open;
+  if (shaders.empty()) return alpha_counts ? pass_to_background(0) : void();
+  ++counts_.environment;
+  const EnvironmentRay ray{.origin = way_.ray.org,
+                           .direction = way_.ray.dir,
+                           .kind = environment_kind(way_.kind),
+                           .raster = raster_,
+                           .blurred = way_.blurred,
+                           .roughness = way_.roughness};
+  // What light sampling sees of it, if this is the environment that it samples.
+  const bool own = way_.environment != nullptr;
+  const bool gathers = ray.kind == RayKind::FinalGather;
+  const bool weighed = from_.weighed && from_.lights.environment_samples > 0 && !own;
+  LightSampler::EnvironmentFound seen;
+  if (!own && (gathers || weighed))
+    seen =
+        world_.light_sampler->find_environment(weighed ? from_.lights.environment_samples : 0, ray);
+  Rgb radiance = seen.radiance;
+  if (own || !gathers || alpha_counts) {
+    const Rgba c = environment_radiance(shaders, world_, ray);
+    if (alpha_counts) pass_to_background(clamp01(c.a));
+    if (own || !gathers) radiance = rgb(c);
+  }
+  if (weighed) {
     // Radiance that light sampling can find gets a MIS weight; the rest is added in full. Nothing
     // was sampled in the shadow of objects that this ray does not see.
-    const bool alone = shadowed_by_unseen(world_, from_.point, direction, kInfinity, counts_);
+    const bool alone = shadowed_by_unseen(world_, from_.point, ray.direction, kInfinity, counts_);
     const float weight =
-        alone ? 1.0f
-              : bsdf_sample_weight(settings_.estimator, from_.pdf,
-                                   world_.light_sampler->environment_pdf(from_.lights, direction));
-    if (kind == RayKind::FinalGather) {
-      radiance *= weight;
-    } else {
-      const Rgb even = rgb(environment_radiance(
-          shaders, world_, {origin, direction, RayKind::FinalGather, raster_}));
-      radiance = radiance - even * (1 - weight);
-    }
+        alone ? 1.0f : bsdf_sample_weight(settings_.estimator, from_.pdf, seen.pdf);
+    radiance -= seen.radiance * (1 - weight);
   }
   add(aov_.on_way(), light_.throughput * radiance, layer_of_environment());
+}
+
+/// The alpha of a camera ray that ends at an environment with that alpha.
+void Path::pass_to_background(float alpha) {
+  if (eye_hit_.pending)
+    record_->alpha = alpha;
+  else
+    record_->alpha -= (1 - alpha) * mean_of(light_.throughput);
 }
 
 }  // namespace oriel

@@ -15,6 +15,8 @@
 
 namespace oriel {
 
+struct BounceReads;
+
 /// The first surface that a camera path meets.
 struct FirstSurface {
   int instance = -1;                   ///< index into World::instances; -1 = nothing
@@ -74,6 +76,8 @@ struct PathRecord : PathResult {
   std::vector<FirstSurface> first_surfaces;         ///< one per camera path
   std::span<Rgba> user_buffers;
   PathObserver* observer = nullptr;
+  BounceReads* bounce_reads =
+      nullptr;  ///< receives what the path reads of coarse records; optional
 
   /// For the next sample. User buffers belong to the caller.
   void reset() {

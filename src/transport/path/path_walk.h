@@ -208,6 +208,7 @@ class Path {
                  std::size_t layer);
   bool ends_at(const Portal& portal) const;
   void meet_environment();
+  void pass_to_background(float alpha);
   void darken_near(float t);
   void fade(float t);
   Rgb faded_to();
@@ -257,6 +258,7 @@ class Path {
   /// Whether coarse records contain exactly the remaining diffuse bounces.
   bool reads_bounces() const {
     if (!settings_.maps || !settings_.maps->bounces || !depth_.after_diffuse) return false;
+    if (too_near_for_cache_) return false;
     const int held = settings_.maps->bounces_held;
     return held >= PathSettings::kAllBounces ||
            settings_.diffuse_bounces - depth_.diffuse_bounces == held;
@@ -320,6 +322,7 @@ class Path {
   mutable LookedUp looked_up_;
   Fading fading_;
   unsigned visibility_ = kAllVisibility;  ///< of the surface's instance
+  bool too_near_for_cache_ = false;       ///< see IndirectCaches::retrace
   bool off_maps_ = false;                 ///< starts where maps contain no data
 };
 

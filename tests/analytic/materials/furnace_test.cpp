@@ -48,7 +48,7 @@ TEST(Furnace, RoughWhiteMetalLosesNothing) {
           fmt::format("\"diffuse\" 1 1 1, \"refl_is_metal\" on, \"reflectivity\" 1, "
                       "\"brdf_0_degree_refl\" 1, \"refl_gloss\" {}, \"anisotropy\" {}",
                       gloss, anisotropy),
-          65536);
+          98304);
       EXPECT_NEAR(m.mean.x, 1, 0.005f) << gloss << ' ' << anisotropy;
       EXPECT_LT(m.error.x, 0.0017f);
       figure(fmt::format("white metal ball, gloss {}, anisotropy {}", gloss, anisotropy), 1,

@@ -28,7 +28,9 @@ constexpr unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind);
 Rgba note(const Call& call) {
   const auto& p = call.as<TestKind>();
   asked[p.slot] |= bit(call.point.ray_kind);
-  return p.only < 0 || p.only == static_cast<int>(call.point.ray_kind) ? p.color : Rgba(0, 0, 0, 1);
+  if (p.only >= 0 && p.only != static_cast<int>(call.point.ray_kind)) return Rgba(0, 0, 0, 1);
+  // Environments that depend on the pixel are not tabulated.
+  return call.point.environment ? p.color * (1 + 1e-6f * call.point.raster.x) : p.color;
 }
 constexpr ShaderSpec kTestKind = {
     .name = "test_kind",

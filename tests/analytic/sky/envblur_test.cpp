@@ -127,9 +127,9 @@ TEST(EnvBlur, TabulatesTheEnvironmentOnce) {
                           .str(),
                       registry());
     const int tables = lamps_asked;
-    // Four for each sample, with the samples beyond edges; and the table of importance, 4 x 256 x
-    // 128.
-    EXPECT_EQ(tables, 4 * 6 * (side + 2) * (side + 2) + 4 * 256 * 128);
+    // Four for each sample, with the samples beyond edges; and the table of the environment, nine
+    // for each cell and two more for each sixteenth.
+    EXPECT_EQ(tables, 4 * 6 * (side + 2) * (side + 2) + 9 * 256 * 256 + 2 * 64 * 64);
     EXPECT_GE(6 * side * side, resolution * resolution);
     Probe direct(plate("\"refl_gloss\" .3, \"single_env_sample\" on", blurred("")).str(),
                  registry());
@@ -144,7 +144,7 @@ TEST(EnvBlur, CoarseTablesCallTheEnvironmentSomeThousandTimes) {
   const Probe probe(plate("\"single_env_sample\" on", blurred("\"resolution\" 200")).str(),
                     registry(), {.coarse_tables = true});
   EXPECT_GT(lamps_asked, 0);
-  EXPECT_LE(lamps_asked, 4 * 6 * 18 * 18 + 4 * 16 * 8);
+  EXPECT_LE(lamps_asked, 4 * 6 * 18 * 18 + 4 * 16 * 16 + 2 * 4 * 4);
 }
 
 // acceptance: V3
