@@ -122,7 +122,8 @@ Command add_render_command(CLI::App& program) {
                 "NAME.part.exr, which replaces the file at the end");
   app->add_option(
       "--gi", a->gi,
-      "Method of indirect light: path, fg, photons, fg+photons or scene (default scene)");
+      "Method of indirect light: path, path+cache, fg, photons, fg+photons or scene (default "
+      "scene)");
   app->add_option("--size", a->size, "Size of the picture (default: from the camera)")
       ->type_name("WxH");
   app->add_option("--crop", a->crop,

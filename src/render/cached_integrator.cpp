@@ -8,6 +8,7 @@
 
 #include "render/cache_state.h"
 #include "transport/gather/gather_map.h"
+#include "transport/photon/photon_edges.h"
 #include "transport/photon/photon_trace.h"
 
 namespace oriel {
@@ -150,6 +151,7 @@ void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {
     if (!file.empty() && !p.monitor.cancelled()) write_photons(file, photons_, p.diagnostics);
   }
   use_photon_maps();
+  if (plan_.global) keep_light_at_edges(photons_.global, world_, maps_.global_lookup);
 }
 
 void CachedIntegrator::use_photon_maps() {

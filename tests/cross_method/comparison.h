@@ -28,6 +28,7 @@ struct Method {
   const char* name;  ///< as the command line has it
 };
 inline constexpr Method kPath{IndirectMethod::Path, "path"},
+    kPathCache{IndirectMethod::PathCache, "path+cache"},
     kFinalGather{IndirectMethod::FinalGather, "fg"},
     kBoth{IndirectMethod::FinalGatherPhotons, "fg+photons"};
 

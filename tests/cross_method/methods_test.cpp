@@ -7,6 +7,8 @@ namespace methods_test {
 
 /// Largest difference of the means of pictures.
 constexpr double kTolerance = .02;
+/// The same of paths that end at a cache.
+constexpr double kCacheTolerance = .01;
 /// Largest standard error of the reference.
 constexpr double kReferenceError = .003;
 
@@ -32,7 +34,7 @@ void print_row(const Case& c, const Method& method, const Measured& m, const Mea
 
 // Behind a portal gather rays from inside end at it; its light is direct, and that of photons where
 // they stand for what comes after. Indirect light is a quarter of that picture.
-// acceptance: H2, H3, H8, L1
+// acceptance: H2, H3, H8, L1, Q1
 TEST_P(Methods, GiveTheSameImage) {
   const Case& c = GetParam();
   Comparison comparison(c.scene());
@@ -48,6 +50,11 @@ TEST_P(Methods, GiveTheSameImage) {
     }
     print_row(c, method, m, paths);
   }
+  const Measured cached = comparison.render(kPathCache, c.samples, 4);
+  const double ratio = cached.picture.mean / paths.picture.mean;
+  const double error = std::hypot(cached.picture.error, paths.picture.error) / paths.picture.mean;
+  EXPECT_NEAR(ratio, 1, kCacheTolerance + 2 * error) << "path+cache, standard error " << error;
+  print_row(c, kPathCache, cached, paths);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -56,7 +63,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"sun_window", sun_window, 32}, Case{"glossy_corner", glossy_corner, 64},
                       Case{"glass_on_table", glass_on_table, 32}, Case{"curtain", curtain, 192},
                       Case{"glowing_sphere", glowing_sphere, 64}, Case{"two_rooms", two_rooms, 48},
-                      Case{"sky_portal", sky_portal, 32, 2 * kTolerance}),
+                      Case{"sky_portal", sky_portal, 32, 2 * kTolerance},
+                      Case{"furnished", furnished, 64}),
     [](const auto& i) { return std::string(i.param.name); });
 
 }  // namespace methods_test

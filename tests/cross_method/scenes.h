@@ -138,6 +138,30 @@ inline SceneText sun_window() {
   return scene;
 }
 
+/// Sun and sky through the window on a table, shelves with books and a thin partition: many edges,
+/// and things that are thinner than the disc of a photon estimate.
+inline SceneText furnished() {
+  SceneText scene = room_with_window(kFine);
+  scene.environment(physical_sky(normalize(Vec3(1, .7f, .2f))))
+      .light("sun", "\"mia_physicalsun\" ( \"y_is_up\" on, \"haze\" 2 ) direction " +
+                        text_of(normalize(Vec3(-1, -.7f, -.2f))))
+      .box("grey", Vec3(-.6f, -.8f, -3.4f), Vec3(.8f, -.75f, -2.4f))
+      .box("red", Vec3(-1.9f, -1.5f, -3), Vec3(-1.85f, .4f, -1.6f));
+  for (const float x : {-.55f, .7f})
+    for (const float z : {-3.35f, -2.5f})
+      scene.box("grey", Vec3(x, -1.5f, z), Vec3(x + .06f, -.8f, z + .06f));
+  for (int k = 0; k < 4; ++k) {
+    const float y = -1.2f + .6f * static_cast<float>(k);
+    scene.box("floor", Vec3(-1.4f, y, -4.95f), Vec3(1.4f, y + .03f, -4.6f));
+    for (int i = 0; i < 6; ++i) {
+      const float x = -1.3f + .43f * static_cast<float>(i) + .05f * static_cast<float>(k);
+      scene.box(i % 2 ? "green" : "grey", Vec3(x, y + .03f, -4.9f),
+                Vec3(x + .04f, y + .3f, -4.65f));
+    }
+  }
+  return scene;
+}
+
 inline SceneText glossy_corner() {
   SceneText scene = start();
   scene.material("polished",

@@ -153,10 +153,8 @@ void PhotonMap::balance(std::size_t begin, std::size_t end) {
   }
 }
 
-Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup,
-                          Rgb* by_light, std::size_t unknown, int* found) const {
-  if (photons_.empty() || !(lookup.radius > 0)) return Rgb(0);
-  Nearest nearest(std::clamp(lookup.count, 1, kMaxCount) + 1, lookup.radius);
+template <class Nearest>
+void PhotonMap::find(const Vec3& position, const Vec3& normal, Nearest& nearest) const {
   const auto visit = [&](std::size_t i) {
     const Photon& photon = photons_[i];
     const Vec3 d = photon.position - position;
@@ -192,6 +190,21 @@ Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal, const Photon
     }
     for (std::size_t i = range.begin; i < range.end; ++i) visit(i);
   }
+}
+
+float PhotonMap::radius(const Vec3& position, const Vec3& normal,
+                        const PhotonLookup& lookup) const {
+  if (photons_.empty() || !(lookup.radius > 0)) return 0;
+  Nearest nearest(std::clamp(lookup.count, 1, kMaxCount) + 1, lookup.radius);
+  find(position, normal, nearest);
+  return nearest.is_full() ? std::sqrt(nearest.reach2()) : lookup.radius;
+}
+
+Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup,
+                          Rgb* by_light, std::size_t unknown, int* found) const {
+  if (photons_.empty() || !(lookup.radius > 0)) return Rgb(0);
+  Nearest nearest(std::clamp(lookup.count, 1, kMaxCount) + 1, lookup.radius);
+  find(position, normal, nearest);
 
   const float radius2 = nearest.is_full() ? nearest.reach2() : sqr(lookup.radius);
   if (!(radius2 > 0)) return Rgb(0);

@@ -52,7 +52,8 @@ PhotonLookup photon_lookup(const scene::PhotonOptions& options, const geom::Box3
 ///          kFlattening-fold: a disc on the surface, not a ball. Photons of surfaces that face
 ///          elsewhere do not count. When there are more than `count` the first one left out gives
 ///          the radius, which makes the estimate unbiased where photons lie evenly. Within about a
-///          radius of edges and shadow borders it is blurred, at open edges too dark.
+///          radius of edges and shadow borders it is blurred. At edges part of the disc is beside
+///          the surface, so the estimate is too dark there, unless photon_edges.h made up for it.
 /// Inputs:  photons in any order: equal sets give equal maps. Those that are not finite are left
 ///          out. merge: photons nearer than this, of the same side, become one at their mean, with
 ///          the sum of their power; 0 = none do.
@@ -87,8 +88,14 @@ class PhotonMap {
   ///          know theirs; null = nowhere. found: where to add how many spoke; null = nowhere.
   Rgb irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup,
                  Rgb* by_light = nullptr, std::size_t unknown = 0, int* found = nullptr) const;
+  /// Radius of the disc of that estimate.
+  float radius(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup) const;
+  /// Multiplies the power of photon i, as photons() counts.
+  void scale_power(std::size_t i, float factor) { photons_[i].power *= factor; }
 
  private:
+  template <class Nearest>
+  void find(const Vec3& position, const Vec3& normal, Nearest& nearest) const;
   void balance(std::size_t begin, std::size_t end);
 
   // Of each range the middle photon is the node, what lies before and after it its two halves.

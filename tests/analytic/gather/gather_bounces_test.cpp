@@ -40,5 +40,58 @@ TEST(GatherBounces, VisibleRoomsHaveRecordsForAnyPointCount) {
         << p.point.position.x;
 }
 
+// The same irradiance whether rays add what coarse records hold, or keep it as reads: on walls that
+// are seen directly, in a mirror, through a translucent sheet, and by coloured light of two layers.
+TEST(GatherBounces, KeptReadsGiveTheRecordAgain) {
+  SceneText scene("trace depth 8 8 12 \"light group warm\" \"lamp_i\"");
+  scene.lambert("grey", .7f)
+      .material("red", "\"reflectivity\" 0, \"diffuse\" .7 .2 .1")
+      .material("mirror", "\"reflectivity\" .8, \"refl_gloss\" 1, \"diffuse\" .1 .1 .1")
+      .material("sheet",
+                "\"reflectivity\" 0, \"diffuse\" .8 .8 .7, \"transparency\" .6, "
+                "\"refr_translucency\" on, \"refr_trans_weight\" 1, \"refr_trans_color\" .9 .9 .8, "
+                "\"thin_walled\" on")
+      .box("grey", Vec3(-1), Vec3(1), true)
+      .polygon("red",
+               {Vec3(-.99f, -1, -1), Vec3(-.99f, 1, -1), Vec3(-.99f, 1, 1), Vec3(-.99f, -1, 1)})
+      .polygon("mirror",
+               {Vec3(.99f, -1, -1), Vec3(.99f, -1, 1), Vec3(.99f, 1, 1), Vec3(.99f, 1, -1)})
+      .polygon("sheet", {Vec3(-.5f, .3f, -.9f), Vec3(.5f, .3f, -.9f), Vec3(.5f, .3f, .5f),
+                         Vec3(-.5f, .3f, .5f)})
+      .light("lamp", "\"physical_light\" ( \"color\" 10 8 6 ) origin 0 -.5 .8")
+      .light("other", "\"physical_light\" ( \"color\" 1 2 4 ) origin .3 .6 .6");
+  const Probe probe(scene);
+  const World& world = probe.world();
+  GatherSettings settings = gather_settings({}, world.accel->bounds());
+  settings.path.diffuse_bounces = PathSettings::kAllBounces;
+  settings.rays = 100;
+  std::vector<GatherPoint> points;
+  for (const float x : {-.8f, -.3f, .2f, .7f})
+    for (const float y : {-.6f, .1f, .6f}) points.push_back(floor_point(world, Vec3(x, y, -1)));
+  RayCounts counts;
+  const Bounces bounces = gather_bounces(world, points, settings, 1, counts, {});
+  IndirectCaches maps;
+  maps.bounces = &bounces.cache;
+  maps.bounces_query = bounces.query;
+  maps.bounces_held = bounces.held;
+  settings.path.maps = &maps;
+  settings.rays = 4000;
+  for (const GatherPoint& p : points) {
+    const sampling::Sampler stream(1, 2, 3);
+    const GatherRecord added = gather_at(world, p, settings, stream, counts);
+    const GatherRays rays = trace_gather_rays(world, p, settings, stream, counts, true);
+    EXPECT_TRUE(rays.complete);
+    const GatherRecord again = gathered_record(world, p, settings, rays, &bounces.cache);
+    const GatherRecord without = gathered_record(world, p, settings, rays);
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(again.irradiance[c] / added.irradiance[c], 1, .02) << p.point.position.x;
+      EXPECT_LT(without.irradiance[c], .8f * again.irradiance[c]) << "much of it was read";
+    }
+    ASSERT_EQ(again.shares.size(), added.shares.size());
+    for (std::size_t k = 0; k < again.shares.size(); ++k)
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(again.shares[k][c], added.shares[k][c], .02f) << k;
+  }
+}
+
 }  // namespace gather_bounces_test
 }  // namespace oriel::testing

@@ -106,8 +106,9 @@ TEST(GlossyNodes, RefractionIsBlendedAndTellsTheBack) {
   scene.environment("\"test_sky\" ( \"above\" 1 1 1, \"below\" 1 1 1 )");
   scene.statement("shader \"e\" \"mib_illum_lambert\" ( \"ambience\" 1 1 1, \"ambient\" 3 3 3 )");
   const Probe probe(scene);
-  expect_exact("front", probe.onto(Vec3(0), kUp, 0, 16384), .6f * .5f + .4f, .01f);
-  expect_exact("back", probe.onto(Vec3(0), -kUp, 0, 16384), .6f * 3 + .4f, .01f);
+  // The table of albedos is within a few thousandths.
+  EXPECT_NEAR(probe.onto(Vec3(0), kUp, 0, 16384).mean.x, .6f * .5f + .4f, .002f);
+  EXPECT_NEAR(probe.onto(Vec3(0), -kUp, 0, 16384).mean.x, .6f * 3 + .4f, .002f);
 }
 
 TEST(OcclusionNodes, HalfAHemisphereIsHalfOpen) {
