@@ -160,6 +160,7 @@ void CachedIntegrator::use_photon_maps() {
   if (plan_.global) maps_.global = &photons_.global;
   if (plan_.caustic) maps_.caustic = &photons_.caustic;
   maps_.global_lookup = photon_lookup(options.globillum, box, PhotonKind::Global);
+  maps_.global_lookup.walls_of = &world_;
   maps_.caustic_lookup = photon_lookup(options.caustic, box, PhotonKind::Caustic);
 }
 

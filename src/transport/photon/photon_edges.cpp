@@ -15,26 +15,10 @@ namespace {
 
 /// Points of a disc.
 constexpr std::uint32_t kSamples = 32;
-/// Height of the rays along the surface, as a share of the radius: above small bumps.
-constexpr float kHeight = 0.05f;
 /// The least share; below it a photon lies on a surface smaller than its disc in both directions,
 /// and the points tell little.
 constexpr float kLeastShare = 0.03f;
 constexpr std::uint32_t kMask = geom::RayMask::FinalGather;
-
-/// Whether something opaque is on the way, and where.
-bool is_blocked(const World& world, const Vec3& from, const Vec3& to) {
-  const Vec3 way = to - from;
-  const float distance = length(way);
-  if (!(distance > 0)) return false;
-  geom::Ray ray;
-  ray.org = from;
-  ray.dir = way * (1 / distance);
-  ray.tfar = distance;
-  ray.mask = kMask;
-  geom::Hit hit;
-  return world.accel->intersect(ray, hit) && !material_of(world, hit).may_transmit;
-}
 
 /// Whether a surface that faces like `normal` lies within `depth` below or above a point.
 bool has_surface(const World& world, const Vec3& at, const Vec3& normal, float depth) {
@@ -50,37 +34,61 @@ bool has_surface(const World& world, const Vec3& at, const Vec3& normal, float d
   return std::abs(dot(surface.ng, normal)) >= PhotonMap::kMinAgreement;
 }
 
-float share_on_surfaces(const World& world, const Photon& photon, float radius, std::uint32_t i) {
+struct Disc {
+  float share = 1;  ///< on surfaces that the photon may light
+  bool near_wall = false;
+};
+
+Disc disc_of(const World& world, const Photon& photon, float radius, std::uint32_t i) {
   const Frame frame(photon.normal);
-  const Vec3 above = photon.position + photon.normal * (kHeight * radius);
+  const Vec3 above = photon.position + photon.normal * (kWayHeight * radius);
   const float depth = radius / PhotonMap::kFlattening;
   std::uint32_t found = 0;
+  Disc disc;
   for (std::uint32_t k = 0; k < kSamples; ++k) {
     const Vec2 d = sampling::sample_disc(
         sampling::Sampler(static_cast<int>(i & 0xffff), static_cast<int>(i >> 16), k).next_2d());
     const Vec3 aside = (frame.s * d.x + frame.t * d.y) * radius;
-    found += !is_blocked(world, above, above + aside) &&
-             has_surface(world, photon.position + aside, photon.normal, depth);
+    const bool walled_off = is_walled_off(world, above, above + aside);
+    disc.near_wall |= walled_off;
+    found += !walled_off && has_surface(world, photon.position + aside, photon.normal, depth);
   }
-  return static_cast<float>(found) / kSamples;
+  disc.share = static_cast<float>(found) / kSamples;
+  return disc;
 }
 
 }  // namespace
 
+bool is_walled_off(const World& world, const Vec3& from, const Vec3& to) {
+  const Vec3 way = to - from;
+  const float distance = length(way);
+  if (!(distance > 0)) return false;
+  geom::Ray ray;
+  ray.org = from;
+  ray.dir = way * (1 / distance);
+  ray.tfar = distance;
+  ray.mask = kMask;
+  geom::Hit hit;
+  return world.accel->intersect(ray, hit) && !material_of(world, hit).may_transmit;
+}
+
 void keep_light_at_edges(PhotonMap& map, const World& world, const PhotonLookup& lookup) {
   std::vector<float> factors(map.size());
+  std::vector<std::uint8_t> near_wall(map.size());
   constexpr std::size_t kAtOnce = 256;
   parallel_for((map.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t block) {
     const std::size_t end = std::min(map.size(), (block + 1) * kAtOnce);
     for (std::size_t i = block * kAtOnce; i < end; ++i) {
       const Photon& photon = map.photons()[i];
       const float radius = map.radius(photon.position, photon.normal, lookup);
-      const float share =
-          radius > 0 ? share_on_surfaces(world, photon, radius, static_cast<std::uint32_t>(i)) : 1;
-      factors[i] = 1 / std::max(share, kLeastShare);
+      const Disc disc =
+          radius > 0 ? disc_of(world, photon, radius, static_cast<std::uint32_t>(i)) : Disc{};
+      factors[i] = 1 / std::max(disc.share, kLeastShare);
+      near_wall[i] = disc.near_wall;
     }
   });
   for (std::size_t i = 0; i < factors.size(); ++i) map.scale_power(i, factors[i]);
+  map.mark_walls(std::move(near_wall));
 }
 
 }  // namespace oriel

@@ -128,6 +128,7 @@ PhotonMap::PhotonMap(std::vector<Photon> photons, float merge) : photons_(std::m
 bool PhotonMap::is_valid() const {
   const auto is_unit = [](const Vec3& v) { return std::abs(v.length2() - 1) < kUnitError; };
   return axis_.size() == photons_.size() &&
+         (near_wall_.empty() || near_wall_.size() == photons_.size()) &&
          std::all_of(axis_.begin(), axis_.end(), [](std::uint8_t axis) { return axis < 3; }) &&
          std::all_of(photons_.begin(), photons_.end(), [&](const Photon& p) {
            return is_sound(p) && is_unit(p.direction) && is_unit(p.normal);
@@ -209,11 +210,15 @@ Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal, const Photon
   const float radius2 = nearest.is_full() ? nearest.reach2() : sqr(lookup.radius);
   if (!(radius2 > 0)) return Rgb(0);
   const FilterWeight weight(lookup);
+  const Vec3 above = normal * (kWayHeight * std::sqrt(radius2));
   const Rgb scale = lookup.scale * (1 / (kPi * radius2));
   Rgb sum(0);
   if (found) *found += nearest.count() - (nearest.is_full() ? 1 : 0);
   for (int i = nearest.is_full() ? 1 : 0; i < nearest.count(); ++i) {
     const Photon& photon = photons_[nearest[i].index];
+    if (lookup.walls_of && !near_wall_.empty() && near_wall_[nearest[i].index] != 0 &&
+        is_walled_off(*lookup.walls_of, photon.position + above, position + above))
+      continue;
     const Rgb power = photon.power * weight(nearest[i].distance2 / radius2);
     sum += power;
     if (by_light) by_light[std::min<std::size_t>(photon.layer, unknown)] += power * scale;

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "geom/mesh.h"
 #include "scene/render_options.h"
 
 namespace oriel {
+
+struct World;
 
 // Conventions
 //   World space. Power is in the unit that times 1 / area is the irradiance of runtime/light.h and
@@ -32,6 +35,8 @@ struct PhotonLookup {
   scene::PhotonOptions::Filter filter = scene::PhotonOptions::Filter::Box;
   float filter_constant = 1.1f;  ///< Cone: larger is blurrier, above 1
   Rgb scale{1};
+  /// Photons that the map marks as near a wall are tested for walls of it; null: none are.
+  const World* walls_of = nullptr;
 };
 
 /// Which of the two maps; they differ in their default radius.
@@ -79,6 +84,7 @@ class PhotonMap {
   void visit_state(Checkpoint& checkpoint) {
     checkpoint.list(photons_);
     checkpoint.list(axis_);
+    checkpoint.list(near_wall_);
   }
   /// Whether numbers are finite and directions unit; of a map that was read.
   bool is_valid() const;
@@ -92,6 +98,8 @@ class PhotonMap {
   float radius(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup) const;
   /// Multiplies the power of photon i, as photons() counts.
   void scale_power(std::size_t i, float factor) { photons_[i].power *= factor; }
+  /// Marks photons whose disc is cut by a wall: a value for each, other than 0. See walls_of.
+  void mark_walls(std::vector<std::uint8_t> near_wall) { near_wall_ = std::move(near_wall); }
 
  private:
   template <class Nearest>
@@ -101,6 +109,13 @@ class PhotonMap {
   // Of each range the middle photon is the node, what lies before and after it its two halves.
   std::vector<Photon> photons_;
   std::vector<std::uint8_t> axis_;
+  std::vector<std::uint8_t> near_wall_;  // empty: unknown
 };
+
+/// Whether an opaque surface is between two points that lie as far above a surface.
+bool is_walled_off(const World& world, const Vec3& from, const Vec3& to);
+/// Height of such a way along a surface, as a share of the radius of an estimate: above small
+/// bumps.
+inline constexpr float kWayHeight = 0.05f;
 
 }  // namespace oriel

@@ -85,6 +85,23 @@ TEST(PhotonEdges, WallsHideTheFloorBehindThem) {
   EXPECT_NEAR(near_wall(), 1, .06);
 }
 
+TEST(PhotonEdges, LightDoesNotLeakThroughThinWalls) {
+  SceneText scene;
+  scene.lambert("grey", .5f)
+      .square("grey", Vec3(0), 5, kUp)
+      .polygon("grey", {Vec3(0, -5, 0), Vec3(0, 5, 0), Vec3(0, 5, 2), Vec3(0, -5, 2)});
+  const Probe probe(scene);
+  std::vector<Photon> photons = even_photons();
+  std::erase_if(photons, [](const Photon& p) { return p.position.x > 0; });
+  PhotonMap map(photons);
+  PhotonLookup lookup = kLookup;
+  lookup.walls_of = &probe.world();
+  EXPECT_GT(map.irradiance(Vec3(.05f, 0, 0), kUp, lookup).x, .3f) << "without marks";
+  keep_light_at_edges(map, probe.world(), lookup);
+  EXPECT_EQ(map.irradiance(Vec3(.05f, 0, 0), kUp, lookup).x, 0);
+  EXPECT_GT(map.irradiance(Vec3(-.05f, 0, 0), kUp, lookup).x, .7f);
+}
+
 TEST(PhotonEdges, GlassHidesNothing) {
   SceneText scene;
   scene.lambert("grey", .5f)
