@@ -16,6 +16,7 @@
 #include "output/camera_output.h"
 #include "output/output_request.h"
 #include "sdk/current.h"
+#include "sdk/host.h"
 #include "sdk/picture.h"
 
 namespace {
