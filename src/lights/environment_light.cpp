@@ -24,9 +24,10 @@ EnvironmentLight::EnvironmentLight(const World& world) : table_(world) {
   std::vector<float> luminances = table_.take_luminances(), angles(luminances.size());
   double total = 0, total_angle = 0;  // double: a quarter of a million terms
   for (std::size_t i = 0; i < luminances.size(); ++i) {
-    const Vec2 centre((static_cast<float>(i % side) + 0.5f) / static_cast<float>(side),
-                      (static_cast<float>(i / side) + 0.5f) / static_cast<float>(side));
-    angles[i] = sampling::octahedral_solid_angle(sampling::octahedral_direction(centre));
+    const std::size_t x = i % side, y = i / side;
+    const Vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+    angles[i] = sampling::octahedral_solid_angle(
+        sampling::octahedral_direction(centre / static_cast<float>(side)));
     total += static_cast<double>(luminances[i] * angles[i]);
     total_angle += static_cast<double>(angles[i]);
   }

@@ -73,8 +73,9 @@ EnvironmentTable::Cell EnvironmentTable::cell(const World& world, std::size_t x,
   Cell cell;
   const auto n = static_cast<float>(points);
   for (int k = 0; k < points * points; ++k) {
-    const Vec2 at(static_cast<float>(x) + (static_cast<float>(k % points) + 0.5f) / n,
-                  static_cast<float>(y) + (static_cast<float>(k / points) + 0.5f) / n);
+    const int column = k % points, row = k / points;
+    const Vec2 at(static_cast<float>(x) + (static_cast<float>(column) + 0.5f) / n,
+                  static_cast<float>(y) + (static_cast<float>(row) + 0.5f) / n);
     const Vec3 direction = sampling::octahedral_direction(at / static_cast<float>(side_));
     const Rgb c = evaluated(world, {.direction = direction});
     cell.luminance += positive_luminance(c);

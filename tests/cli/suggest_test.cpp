@@ -46,7 +46,9 @@ TEST_F(Suggestions, OfValuesOfOptions) {
   write("scene.mi", small_scene());
   write("a.exr", "");
   for (const Case& c : {
-           Case{{"render", "scene.mi", "--gi", "foton"}, 2, "--gi foton: expected path, fg"},
+           Case{{"render", "scene.mi", "--gi", "foton"},
+                2,
+                "--gi foton: expected path, path+cache, fg"},
            Case{{"render", "scene.mi", "--gi", "photon"}, 2, "; did you mean photons?"},
            Case{{"render", "scene.mi", "--layers", "depth,albdo"}, 2, "; did you mean albedo?"},
            Case{{"render", "scene.mi", "--layers", "beuaty"}, 2, "; did you mean beauty?"},

@@ -33,7 +33,7 @@ TEST(Integrators, EachMethodOfTheOptionsHasOneRow) {
     options.indirect = row.method;
     EXPECT_STREQ(plan_indirect(options).name(), row.name);
   }
-  EXPECT_EQ(methods.size(), 5u);
+  EXPECT_EQ(methods.size(), 6u);
   EXPECT_EQ(find_integrator("bidirectional"), nullptr);
 }
 
