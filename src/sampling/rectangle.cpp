@@ -105,7 +105,7 @@ float SphericalRectangle::pdf(const Vec3& wi, float distance) const {
   if (!by_area_) return 1 / solid_angle_;
   const float cos_light = std::abs(dot(wi, z_));
   const float area = (x1_ - x0_) * (y1_ - y0_);
-  return cos_light > 1e-7f && solid_angle_ > 0 ? distance * distance / (area * cos_light) : 0;
+  return cos_light > 1e-7f && area > 0 ? distance * distance / (area * cos_light) : 0;
 }
 
 }  // namespace oriel::sampling

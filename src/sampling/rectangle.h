@@ -19,8 +19,9 @@ namespace oriel::sampling {
 ///          Rectangle.IrradianceMatchesTheFormFactor.
 class SphericalRectangle {
  public:
-  /// The sum of arcs has an error near 3e-7; this limit keeps the density within 1e-4.
-  static constexpr float kSmallestSolidAngle = 4e-3f;
+  /// The sum of arcs has an error below 1e-6, so that of small rectangles may be 0; this limit
+  /// keeps the density within 1e-4.
+  static constexpr float kSmallestSolidAngle = 1e-2f;
 
   struct Sample {
     Vec3 point;      ///< on the rectangle, world space
