@@ -69,7 +69,7 @@ std::size_t EnvironmentTable::cell_of(const Vec3& direction) const {
 }
 
 EnvironmentTable::Cell EnvironmentTable::cell(const World& world, std::size_t x, std::size_t y,
-                                              int points) const {
+                                              int points, bool tests) const {
   Cell cell;
   const auto n = static_cast<float>(points);
   for (int k = 0; k < points * points; ++k) {
@@ -85,7 +85,7 @@ EnvironmentTable::Cell EnvironmentTable::cell(const World& world, std::size_t x,
       cell.low[i] = k == 0 ? c[i] : std::min(cell.low[i], c[i]);
       cell.high[i] = k == 0 ? c[i] : std::max(cell.high[i], c[i]);
     }
-    if (k > 0 || x % kTested > 0 || y % kTested > 0) continue;
+    if (!tests || k > 0 || x % kTested > 0 || y % kTested > 0) continue;
     // The same direction from another place, for another pixel.
     sampling::Sampler random(static_cast<int>(x), static_cast<int>(y), 0);
     const Vec2 a = random.next_2d(), b = random.next_2d();
@@ -116,15 +116,19 @@ EnvironmentTable::EnvironmentTable(const World& world) {
   int points = detailed_ || world.coarse_tables ? kFewPoints : kPoints;
   if (seen_all && !world.coarse_tables)
     points = std::max(points, static_cast<int>(std::ceil(needed)));
+  const bool own_code =
+      std::none_of(world.environment.begin(), world.environment.end(),
+                   [](const ShaderNode* shader) { return shader->runs_code_of_users(); });
   std::vector<Cell> cells(side_ * side_);
   parallel_for(side_, [&](std::size_t y) {
-    for (std::size_t x = 0; x < side_; ++x) cells[y * side_ + x] = cell(world, x, y, points);
+    for (std::size_t x = 0; x < side_; ++x)
+      cells[y * side_ + x] = cell(world, x, y, points, own_code);
   });
   luminances_.reserve(cells.size());
   Imath::V3d sum(0);  // double: a quarter of a million terms
   Rgb low = cells.front().low, high = cells.front().high;
   bool by_direction = true, usable = true;
-  same_for_glossy_rays_ = true;
+  same_for_glossy_rays_ = own_code;
   for (const Cell& c : cells) {
     luminances_.push_back(c.luminance);
     by_direction &= c.by_direction;
@@ -137,7 +141,7 @@ EnvironmentTable::EnvironmentTable(const World& world) {
       high[i] = std::max(high[i], c.high[i]);
     }
   }
-  if (!by_direction || !seen_all) return;
+  if (!own_code || !by_direction || !seen_all) return;
   const Rgb mean(Imath::V3f(sum / static_cast<double>(cells.size())));
   const auto similar = [&](const Rgb& from, const Rgb& to, const Rgb& own, float share,
                            float own_share) {

@@ -17,8 +17,9 @@ struct World;
 /// Model:   the mean of a few points for each cell of a square of directions (octahedral.h). A cell
 ///          with more contrast than kMaxContrast permits is not used, nor are its neighbours: the
 ///          shaders are evaluated. So they are in every direction if the radiance depends on more
-///          than the direction, which is tested with other origins and pixels at each cell, or if
-///          the pictures that are bound have more pixels than the table can look at.
+///          than the direction, which is tested with other origins and pixels at each cell, if the
+///          pictures that are bound have more pixels than the table can look at, or if a shader of
+///          a user is among them: it may read anything that the calling shader leaves it.
 /// Checked: EnvironmentTable.*
 class EnvironmentTable {
  public:
@@ -50,7 +51,8 @@ class EnvironmentTable {
 
  private:
   struct Cell;
-  Cell cell(const World& world, std::size_t x, std::size_t y, int points) const;
+  /// The means of points x points. `tests`: also what else the radiance depends on.
+  Cell cell(const World& world, std::size_t x, std::size_t y, int points, bool tests) const;
   static Rgb evaluated(const World& world, const EnvironmentRay& ray);
 
   std::size_t side_ = 0;

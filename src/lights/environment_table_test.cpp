@@ -120,6 +120,18 @@ TEST(EnvironmentTable, WhatDependsOnMoreThanTheDirectionIsEvaluated) {
   }
 }
 
+TEST(EnvironmentTable, ShadersOfUsersAreEvaluated) {
+  // They may read what the shader that traced the ray left them, which no test here can vary.
+  Scene scene(sky);
+  scene.spec.library = "user";
+  const EnvironmentTable table(scene.world);
+  EXPECT_FALSE(table.same_for_glossy_rays());
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    const Vec3 d = direction(i);
+    EXPECT_EQ(table.radiance(scene.world, {.direction = d}), scene.exact(d));
+  }
+}
+
 TEST(EnvironmentTable, TellsWhetherGlossyRaysSeeTheSame) {
   Scene scene(by_kind);
   const EnvironmentTable table(scene.world);

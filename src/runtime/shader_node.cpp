@@ -156,6 +156,14 @@ bool ShaderNode::inputs_may_transmit() const {
   });
 }
 
+bool ShaderNode::runs_code_of_users() const {
+  const auto runs = [](const auto& input) { return input.source->runs_code_of_users(); };
+  return spec_->library == std::string_view("user") ||
+         std::any_of(connections_.begin(), connections_.end(), runs) ||
+         std::any_of(deferred_.begin(), deferred_.end(), runs) ||
+         std::any_of(material_inputs_.begin(), material_inputs_.end(), runs);
+}
+
 void ShaderNode::defer_connections() {
   const auto is_asked_for = [&](const Connection& c) {
     return spec_->binding.deferred ||

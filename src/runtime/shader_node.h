@@ -58,6 +58,8 @@ class ShaderNode {
   bool ask(std::size_t offset, ShadingPoint& point, void* target) const;
   /// Whether light may pass one of the connected materials straight.
   bool inputs_may_transmit() const;
+  /// Whether it, or a shader connected to it, comes from a library of users.
+  bool runs_code_of_users() const;
 
   /// Calls f(Call) with all connections evaluated at the point.
   template <class F>

@@ -92,14 +92,35 @@ bool is_number(ParamType type, const std::byte* value) {
                      [](float x) { return std::isfinite(x); });
 }
 
-/// Reports the first shader whose result contains NaN or infinity; such pixels are black.
-void check_result(const UserSpec& spec, const void* result, miShader_type type, unsigned before) {
-  if (type == miSHADER_OUTPUT || type == miSHADER_GEOMETRY || type == miSHADER_STATE) return;
+bool has_result(miShader_type type) {
+  return type != miSHADER_OUTPUT && type != miSHADER_GEOMETRY && type != miSHADER_STATE;
+}
+
+std::size_t size_of_result(const UserSpec& spec) {
+  std::size_t size = 0;
+  for (const CMember& m : spec.result_members) size = std::max(size, m.c_offset + c_size(m.type));
+  return size;
+}
+
+bool is_number(const UserSpec& spec, const std::byte* result) {
+  return std::all_of(spec.result_members.begin(), spec.result_members.end(),
+                     [&](const CMember& m) { return is_number(m.type, result + m.c_offset); });
+}
+
+/// The result before a call, if it is not a number: shaders that have no result, like bumps, get
+/// and leave memory without a value.
+std::vector<std::byte> unset_result(const UserSpec& spec, const void* result, miShader_type type) {
   const auto* bytes = static_cast<const std::byte*>(result);
-  const bool right =
-      std::all_of(spec.result_members.begin(), spec.result_members.end(),
-                  [&](const CMember& m) { return is_number(m.type, bytes + m.c_offset); });
-  if (right || broken_results != before) return;
+  if (!bytes || !has_result(type) || is_number(spec, bytes)) return {};
+  return {bytes, bytes + size_of_result(spec)};
+}
+
+/// Reports the first shader whose result contains NaN or infinity; such pixels are black.
+void check_result(const UserSpec& spec, const void* result, const std::vector<std::byte>& unset,
+                  miShader_type type, unsigned before) {
+  const auto* bytes = static_cast<const std::byte*>(result);
+  if (!bytes || !has_result(type) || broken_results != before || is_number(spec, bytes)) return;
+  if (!unset.empty() && std::equal(unset.begin(), unset.end(), bytes)) return;
   ++broken_results;
   if (spec.broken.exchange(true)) return;
   spec.host->diagnostics().warning(
@@ -129,8 +150,9 @@ bool run(UserInstance& shader, miState& state, void* result, miShader_type type,
   const Arena::Mark mark = arena.mark();
   const ShaderStateScope scope(state);
   const unsigned broken = broken_results;
+  const std::vector<std::byte> unset = unset_result(*shader.spec, result, type);
   const bool answer = call_guarded(shader, state, result, argument);
-  if (answer) check_result(*shader.spec, result, type, broken);
+  if (answer) check_result(*shader.spec, result, unset, type, broken);
   arena.release(mark);
   c.call_type = outer_type;
   c.evaluated = evaluated;

@@ -7,6 +7,7 @@
 #include <dlfcn.h>
 #include <link.h>
 #include <sys/syscall.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -70,8 +71,12 @@ const Watched* library_of(const void* address) {
   return nullptr;
 }
 
-void print(const char* text) {
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
+/// Prints the parts at once, because two threads may end the program at the same time.
+void print(const char* begin, const char* middle, const char* end) {
+  const std::array<iovec, 3> parts{{{const_cast<char*>(begin), std::strlen(begin)},
+                                    {const_cast<char*>(middle), std::strlen(middle)},
+                                    {const_cast<char*>(end), std::strlen(end)}}};
+  [[maybe_unused]] const auto written = writev(STDERR_FILENO, parts.data(), parts.size());
 }
 
 /// The exit code for the program; does not return while a shader is running.
@@ -79,9 +84,8 @@ int checked_exit_code(int code, const void* caller) {
   if (getpid() != program) return code;
   leave_ended_shader();
   if (const Watched* const library = library_of(caller)) {
-    print("oriel: error: the shader library ");
-    print(library->name.data());
-    print(" ended the program [OR-SDK-005]\n");
+    print("oriel: error: the shader library ", library->name.data(),
+          " ended the program [OR-SDK-005]\n");
     syscall(SYS_exit_group, 1);
   }
   return code;

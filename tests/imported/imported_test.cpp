@@ -192,7 +192,8 @@ TEST(ClearCoatOfModels, WhiteUnderWhiteNeverGainsLight) {
         const Folder folder;
         const Measured m = Probe(coated(folder, base, 1, roughness), registry())
                                .onto(Vec3(0), kUp, degrees, 16384);
-        EXPECT_LE(m.mean.x, 1 + 4 * m.error.x + 1e-4f) << roughness << base << degrees;
+        // The tables of albedos, of coat and base, are within a thousandth each.
+        EXPECT_LE(m.mean.x, 1 + 4 * m.error.x + 2e-3f) << roughness << base << degrees;
         EXPECT_GT(m.mean.x, .9f) << roughness << base << degrees;
       }
 }
