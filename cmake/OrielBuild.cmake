@@ -51,9 +51,13 @@ if(ORIEL_SANITIZE)
                       -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()
-if(ORIEL_FUZZ)
+if(ORIEL_SANITIZE_THREADS)
+  add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=thread)
+endif()
+if(ORIEL_FUZZ)  # GCC is the compiler that warnings are cleaned for
   add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
-                      -fno-omit-frame-pointer)
+                      -fno-omit-frame-pointer -Wno-error)
   add_link_options(-fsanitize=address,undefined)
 endif()
 

@@ -3,11 +3,11 @@
 #include <stdexcept>
 
 #include "file.h"
+#include "fuzzers.h"
 #include "transport/gather/gather_map.h"
 #include "transport/photon/photon_file.h"
 
-// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int oriel::fuzz::fuzz_maps(const std::uint8_t* data, std::size_t size) {
   const oriel::fuzz::MemoryFile file(data, size);
   oriel::Diagnostics diagnostics;
   oriel::load_gather_map(file.path(), diagnostics);

@@ -5,11 +5,11 @@
 #include <sstream>
 #include <string_view>
 
+#include "fuzzers.h"
 #include "mi/reader.h"
 #include "mi/writer.h"
 
-// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int oriel::fuzz::fuzz_mi(const std::uint8_t* data, std::size_t size) {
   using namespace oriel;
   Diagnostics diagnostics;
   const std::string_view text(reinterpret_cast<const char*>(data), size);

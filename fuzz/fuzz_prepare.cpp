@@ -3,13 +3,13 @@
 #include <cstdint>
 #include <string_view>
 
+#include "fuzzers.h"
 #include "mi/reader.h"
 #include "prepare/prepare.h"
 #include "render/session.h"
 #include "shaders/registry.h"
 
-// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int oriel::fuzz::fuzz_prepare(const std::uint8_t* data, std::size_t size) {
   using namespace oriel;
   Diagnostics diagnostics;
   mi::ReadOptions options;

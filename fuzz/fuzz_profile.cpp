@@ -3,10 +3,10 @@
 #include <stdexcept>
 
 #include "file.h"
+#include "fuzzers.h"
 #include "photometry/profile_file.h"
 
-// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int oriel::fuzz::fuzz_profile(const std::uint8_t* data, std::size_t size) {
   const oriel::fuzz::MemoryFile file(data, size);
   try {
     oriel::photometry::read_profile(file.path());

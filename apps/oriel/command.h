@@ -6,6 +6,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace oriel::app {
 
@@ -43,5 +44,7 @@ Command add_falsecolor_command(CLI::App& program);
 Command add_shader_build_command(CLI::App& program);
 Command add_convert_command(CLI::App& program);
 Command add_quick_command(CLI::App& program);
+/// All of them.
+std::vector<Command> add_commands(CLI::App& program);
 
 }  // namespace oriel::app

@@ -42,8 +42,8 @@ int run_denoise(const DenoiseArguments& a) {
   const bool exr = std::filesystem::path(a.output).extension() == ".exr";
   const std::vector<std::string> groups =
       exr ? light_layer_names(file.layers) : std::vector<std::string>();
-  for (const std::string& group : groups)
-    input.parts.push_back(&find_layer(file.layers, std::string(kLightLayerPrefix) + group)->image);
+  if (exr)
+    for (const Layer* light : light_layers(file.layers)) input.parts.push_back(&light->image);
   DenoisedPicture denoised =
       denoise_with_parts(input, {.denoiser = denoiser_of(a.denoiser), .strength = a.strength});
   if (!denoised.note.empty())

@@ -33,15 +33,7 @@ int run_program(int argc, char** argv) {
                    "oriel");
   program.set_version_flag("--version", "oriel " ORIEL_VERSION);
   program.require_subcommand(1);
-  const std::vector<Command> commands = {
-      add_render_command(program),     add_ray_command(program),
-      add_check_command(program),      add_shaders_command(program),
-      add_tonemap_command(program),    add_diff_command(program),
-      add_denoise_command(program),    add_recombine_command(program),
-      add_sun_command(program),        add_profile_command(program),
-      add_measure_command(program),    add_explain_command(program),
-      add_falsecolor_command(program), add_shader_build_command(program),
-      add_convert_command(program),    add_quick_command(program)};
+  const std::vector<Command> commands = add_commands(program);
 
   std::string chosen;
   try {

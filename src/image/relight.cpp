@@ -24,10 +24,17 @@ bool is_light(const Layer& layer) {
 
 }  // namespace
 
+std::vector<const Layer*> light_layers(const std::vector<Layer>& layers) {
+  std::vector<const Layer*> lights;
+  for (const Layer& layer : layers)
+    if (is_light(layer)) lights.push_back(&layer);
+  return lights;
+}
+
 std::vector<std::string> light_layer_names(const std::vector<Layer>& layers) {
   std::vector<std::string> names;
-  for (const Layer& layer : layers)
-    if (is_light(layer)) names.push_back(layer.name.substr(kLightLayerPrefix.size()));
+  for (const Layer* layer : light_layers(layers))
+    names.push_back(layer->name.substr(kLightLayerPrefix.size()));
   return names;
 }
 

@@ -11,8 +11,13 @@
 
 namespace oriel {
 
-/// Light layers are named `light_key`; their sum is the beauty.
+/// Light layers are named `light_key`, in files of earlier versions `light.key`; their sum is the
+/// beauty.
 inline constexpr std::string_view kLightLayerPrefix = "light_";
+
+/// The light layers in file order.
+/// Checked: Relight.LayersOfEarlierVersionsAreFound
+std::vector<const Layer*> light_layers(const std::vector<Layer>& layers);
 
 /// The names of the light groups without the prefix, in file order.
 std::vector<std::string> light_layer_names(const std::vector<Layer>& layers);

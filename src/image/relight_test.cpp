@@ -40,6 +40,16 @@ TEST(Relight, TheBeautyIsTheSumOfTheScaledGroups) {
   EXPECT_EQ(find_layer(again, "")->image.pixels, beauty.pixels);
 }
 
+TEST(Relight, LayersOfEarlierVersionsAreFound) {
+  std::vector<Layer> layers = picture();
+  layers[3].name = "light.key";
+  const auto lights = light_layers(layers);
+  ASSERT_EQ(lights.size(), 2u);
+  EXPECT_EQ(lights[0], &layers[3]);
+  EXPECT_EQ(lights[1], &layers[4]);
+  EXPECT_EQ(light_layer_names(layers), (std::vector<std::string>{"key", "rest"}));
+}
+
 TEST(Relight, TintsKeepTheLuminance) {
   for (const float warmth : {-1.0f, 0.0f, .2f, 1.0f}) {
     const Rgb c = tinted(1.5f, warmth);

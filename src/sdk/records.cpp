@@ -302,6 +302,7 @@ Host::Record Host::make(miTag tag) {
       break;
     case TagKind::Text: {
       const std::string_view s = text(tag);
+      if (!s.data()) break;
       Record r{std::make_unique<std::byte[]>(s.size() + 1), s.size() + 1};
       std::memcpy(r.bytes.get(), s.data(), s.size());
       r.bytes[s.size()] = std::byte{0};

@@ -56,6 +56,16 @@ TEST(ShaderElements, TreesStayWhileTheyAreOpen) {
   EXPECT_EQ(elements.bytes(tag), nullptr);
 }
 
+TEST(ShaderElements, TagsOfNothingHaveNone) {
+  Running running;
+  for (miTag kind = 0; kind < 64; ++kind) {
+    // These exist once, whatever the index; the elements by name have a record without a name.
+    const auto k = static_cast<TagKind>(kind);
+    if (k >= TagKind::Camera && k <= TagKind::Root) continue;
+    EXPECT_EQ(mi_db_access(make_tag(k, 12345)), nullptr) << kind;
+  }
+}
+
 TEST(ShaderElements, AreOfOneFrame) {
   Running running;
   miTag tag = 0;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command.h"
+
+namespace oriel::app {
+
+std::vector<Command> add_commands(CLI::App& program) {
+  return {add_render_command(program),     add_ray_command(program),
+          add_check_command(program),      add_shaders_command(program),
+          add_tonemap_command(program),    add_diff_command(program),
+          add_denoise_command(program),    add_recombine_command(program),
+          add_sun_command(program),        add_profile_command(program),
+          add_measure_command(program),    add_explain_command(program),
+          add_falsecolor_command(program), add_shader_build_command(program),
+          add_convert_command(program),    add_quick_command(program)};
+}
+
+}  // namespace oriel::app
