@@ -6,11 +6,11 @@
 #include <cstdint>
 
 // X(NAME) for each fuzzer: fuzz_NAME.cpp defines fuzz_NAME, corpus/NAME contains its inputs.
-#define ORIEL_FUZZERS(X)                                                                  \
-  X(checkpoint)                                                                           \
-  X(command)                                                                              \
-  X(exr) X(gltf) X(gzip) X(include) X(layers) X(maps) X(meshopt) X(mi) X(model) X(output) \
-      X(prepare) X(profile) X(tags)
+// clang-format off
+#define ORIEL_FUZZERS(X)                                                    \
+  X(checkpoint) X(command) X(exr) X(gltf) X(gzip) X(include) X(layers)      \
+  X(maps) X(meshopt) X(mi) X(model) X(output) X(prepare) X(profile) X(tags)
+// clang-format on
 
 namespace oriel::fuzz {
 
