@@ -15,9 +15,8 @@
 #include "models/camera_view.h"
 #include "models/daylight.h"
 #include "models/gltf/write.h"
-#include "models/import.h"
+#include "models/import_apart.h"
 #include "numbers.h"
-#include "reader_guard.h"
 #include "scene_file.h"
 #include "shaders/registry.h"
 
@@ -35,6 +34,8 @@ constexpr float kMiddleGrey = 2.2f;
 /// Share of a sunny day's exposure below which a camera of the file sees next to no daylight. A
 /// guess: rooms have a thousandth of the light outside, cupboards none.
 constexpr float kRoom = 1 / 20000.0f;
+/// MB, for the import of a model of strangers; as for their pictures.
+constexpr std::size_t kUntrustedMemory = 8192;
 
 models::DaylightOptions daylight_options(const ConvertArguments& a) {
   models::DaylightOptions options;
@@ -111,11 +112,10 @@ class Conversion {
 
  private:
   void read(Diagnostics& diagnostics) {
-    std::optional<scene::Scene> read;
-    {
-      const ReaderGuard guard(a_.model);
-      read = models::import_model(a_.model, how_, diagnostics);
-    }
+    models::ImportProcess process;
+    if (a_.trust.untrusted) process.memory_mb = kUntrustedMemory, process.seconds = 600;
+    std::optional<scene::Scene> read =
+        models::import_model_apart(a_.model, how_, process, diagnostics);
     printer_.print_new();
     if (!read) throw UserError(fmt::format("'{}' could not be read", a_.model));
     scene_ = std::move(*read);

@@ -10,10 +10,12 @@
 #include <string_view>
 #include <vector>
 
+#include "base/confined_process.h"
 #include "command.h"
 #include "convert_model.h"
 #include "image/reader_process.h"
 #include "image/reader_protocol.h"
+#include "models/import_apart.h"
 #include "process_streams.h"
 #include "suggest.h"
 
@@ -72,8 +74,10 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc == 3 && std::string_view(argv[1]) == oriel::kReaderArgument)
-    return oriel::reader::serve(std::strtoull(argv[2], nullptr, 10));
+  if (argc == 4 && std::string_view(argv[1]) == oriel::kReaderArgument)
+    return oriel::reader::serve(oriel::confined_limits(argv + 2));
+  if (argc == 4 && std::string_view(argv[1]) == oriel::models::kModelReaderArgument)
+    return oriel::models::serve_model(oriel::confined_limits(argv + 2));
   oriel::app::prepare_process();
   return oriel::app::close_streams(run_program(argc, argv));
 }

@@ -68,22 +68,6 @@ bool is_url(std::string_view name) {
   return colon - begin > 1;  // a drive letter is none
 }
 
-OpenFile::OpenFile(OpenFile&& other) noexcept { *this = std::move(other); }
-
-OpenFile& OpenFile::operator=(OpenFile&& other) noexcept {
-  std::swap(descriptor_, other.descriptor_);
-  size_ = other.size_;
-  fault_ = other.fault_;
-  path_.swap(other.path_);
-  reason_.swap(other.reason_);
-  hint_.swap(other.hint_);
-  return *this;
-}
-
-OpenFile::~OpenFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
 OpenFile OpenFile::failed(Fault fault, std::string reason, std::string hint) {
   OpenFile file;
   file.fault_ = fault;
@@ -92,8 +76,20 @@ OpenFile OpenFile::failed(Fault fault, std::string reason, std::string hint) {
   return file;
 }
 
+OpenFile OpenFile::received(Descriptor descriptor, std::string path) {
+  struct stat about {};
+  if (!descriptor || ::fstat(descriptor.get(), &about) != 0 || !S_ISREG(about.st_mode))
+    return failed(Fault::NotRegular, kNotRegular);
+  OpenFile file;
+  file.descriptor_ = std::move(descriptor);
+  file.fault_ = Fault::None;
+  file.size_ = static_cast<std::uint64_t>(about.st_size);
+  file.path_ = std::move(path);
+  return file;
+}
+
 std::string OpenFile::descriptor_path() const {
-  std::string path = fmt::format("/proc/self/fd/{}", descriptor_);
+  std::string path = fmt::format("/proc/self/fd/{}", descriptor());
   return ::access(path.c_str(), R_OK) == 0 ? path : path_;
 }
 
@@ -104,7 +100,7 @@ std::string OpenFile::read(std::size_t most) {
     const std::size_t used = content.size();
     const std::size_t left = size_ > used ? static_cast<std::size_t>(size_ - used) : kChunk;
     content.resize(used + std::min(most - used, left));
-    const ssize_t got = ::read(descriptor_, content.data() + used, content.size() - used);
+    const ssize_t got = ::read(descriptor(), content.data() + used, content.size() - used);
     if (got < 0 && errno == EINTR) {
       content.resize(used);
       continue;
@@ -125,20 +121,22 @@ OpenFile open_regular(const std::string& path) {
   if (::stat(path.c_str(), &about) != 0) return unreadable(errno);
   if (S_ISDIR(about.st_mode)) return OpenFile::failed(Fault::NotRegular, "it is a folder");
   if (!S_ISREG(about.st_mode)) return OpenFile::failed(Fault::NotRegular, kNotRegular);
-  OpenFile file;
-  file.descriptor_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-  if (file.descriptor_ < 0) return unreadable(errno);
-  if (::fstat(file.descriptor_, &about) != 0) return unreadable(errno);
-  if (!S_ISREG(about.st_mode) || is_of_kernel(file.descriptor_))
-    return OpenFile::failed(Fault::NotRegular, kNotRegular);
-  file.fault_ = Fault::None;
-  file.size_ = static_cast<std::uint64_t>(about.st_size);
-  file.path_ = path_of(file.descriptor_);
-  if (file.path_.empty()) file.path_ = resolved(path);  // no /proc
-  return file;
+  Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+  if (!descriptor) return unreadable(errno);
+  if (is_of_kernel(descriptor.get())) return OpenFile::failed(Fault::NotRegular, kNotRegular);
+  std::string name = path_of(descriptor.get());
+  if (name.empty()) name = resolved(path);  // no /proc
+  return OpenFile::received(std::move(descriptor), std::move(name));
+}
+
+FileAccess FileAccess::by(Opener opener) {
+  FileAccess access;
+  access.opener_ = std::move(opener);
+  return access;
 }
 
 void FileAccess::permit(const std::string& path) {
+  if (opener_) return;
   std::string folder = resolved(path);
   if (!folder.empty() &&
       std::find(permitted_.begin(), permitted_.end(), folder) == permitted_.end())
@@ -152,11 +150,13 @@ bool FileAccess::permits_resolved(const std::string& path, FileUse use) const {
 }
 
 bool FileAccess::permits(const std::string& path, FileUse use) const {
-  return !is_url(path) && permits_resolved(resolved(path), use);
+  return opener_ ? bool(opener_(path, use))
+                 : !is_url(path) && permits_resolved(resolved(path), use);
 }
 
 OpenFile FileAccess::open(const std::string& path, FileUse use) const {
   using Fault = OpenFile::Fault;
+  if (opener_) return opener_(path, use);
   const auto outside = [&](const std::string& where) {
     return OpenFile::failed(
         Fault::Outside, "it lies outside of the folders that the scene may read",
@@ -171,7 +171,7 @@ OpenFile FileAccess::open(const std::string& path, FileUse use) const {
   // The author of an own scene may know whether a file exists; that of an untrusted scene may not.
   if (!permits_resolved(name, use) && (untrusted_ || fs::exists(name, error))) return outside(name);
   OpenFile file = open_regular(path);
-  if (file && !permits_resolved(file.path_, use)) return outside(file.path_);
+  if (file && !permits_resolved(file.path(), use)) return outside(file.path());
   return file;
 }
 

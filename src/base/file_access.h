@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/descriptor.h"
 
 namespace oriel {
 
@@ -29,9 +32,9 @@ class OpenFile {
   };
 
   OpenFile() = default;
-  OpenFile(OpenFile&& other) noexcept;
-  OpenFile& operator=(OpenFile&& other) noexcept;
-  ~OpenFile();
+  static OpenFile failed(Fault fault, std::string reason, std::string hint = {});
+  /// A file that another process opened as a regular one; `path` is its name without links.
+  static OpenFile received(Descriptor descriptor, std::string path);
 
   explicit operator bool() const { return fault_ == Fault::None; }
   Fault fault() const { return fault_; }
@@ -41,7 +44,7 @@ class OpenFile {
   /// Option that permits the file; empty if there is none.
   const std::string& hint() const { return hint_; }
 
-  int descriptor() const { return descriptor_; }
+  int descriptor() const { return descriptor_.get(); }
   std::uint64_t size() const { return size_; }
   /// The path without symbolic links, for libraries that open files themselves.
   const std::string& path() const { return path_; }
@@ -51,11 +54,7 @@ class OpenFile {
   std::string read(std::size_t most = SIZE_MAX);
 
  private:
-  friend class FileAccess;
-  friend OpenFile open_regular(const std::string& path);
-  static OpenFile failed(Fault fault, std::string reason, std::string hint = {});
-
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::uint64_t size_ = 0;
   Fault fault_ = Fault::Missing;
   std::string path_, reason_, hint_;
@@ -82,6 +81,11 @@ enum class FileUse : std::uint8_t {
 /// Checked: FileAccess.*, tests/faults/confinement_test.cpp
 class FileAccess {
  public:
+  using Opener = std::function<OpenFile(const std::string& path, FileUse use)>;
+
+  /// For a process that may not open files: another process opens them by its own policy, and this
+  /// one has none.
+  static FileAccess by(Opener opener);
   void set_untrusted(bool untrusted) { untrusted_ = untrusted; }
   bool is_untrusted() const { return untrusted_; }
   /// Permits a file, or a folder with everything below it; an empty path is the current folder.
@@ -96,6 +100,7 @@ class FileAccess {
 
   bool untrusted_ = false;
   std::vector<std::string> permitted_;  // canonical
+  Opener opener_;
 };
 
 }  // namespace oriel

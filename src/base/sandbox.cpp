@@ -29,23 +29,35 @@ namespace {
 const char* granted_path = nullptr;
 int granted_descriptor = -1;
 
-bool is_granted(greg_t path) {
+/// The descriptor that a path stands for; -1 if the process may not know of it.
+int descriptor_of(greg_t path) {
+  constexpr char kOwn[] = "/proc/self/fd/";
+  constexpr std::size_t kStart = sizeof kOwn - 1;
   const auto* const text = reinterpret_cast<const char*>(path);
-  return granted_path && text && std::strcmp(text, granted_path) == 0;
+  if (!text) return -1;
+  if (granted_path && std::strcmp(text, granted_path) == 0) return granted_descriptor;
+  if (std::strncmp(text, kOwn, kStart) != 0) return -1;
+  int number = 0;
+  const char* digit = text + kStart;
+  for (; *digit >= '0' && *digit <= '9' && number < 100'000; ++digit)
+    number = number * 10 + (*digit - '0');
+  return *digit == 0 && digit > text + kStart ? number : -1;
 }
 
 long open_granted(greg_t path, greg_t flags) {
-  if (!is_granted(path)) return -EACCES;
+  const int descriptor = descriptor_of(path);
+  if (descriptor < 0) return -EACCES;
   if ((flags & O_ACCMODE) != O_RDONLY) return -EACCES;
-  const long copy = syscall(SYS_dup, granted_descriptor);
+  const long copy = syscall(SYS_dup, descriptor);
   if (copy < 0) return -errno;
   lseek(static_cast<int>(copy), 0, SEEK_SET);
   return copy;
 }
 
 long examine(greg_t path, greg_t status) {
-  if (!is_granted(path)) return -EACCES;
-  return syscall(SYS_fstat, granted_descriptor, status) == 0 ? 0 : -errno;
+  const int descriptor = descriptor_of(path);
+  if (descriptor < 0) return -EACCES;
+  return syscall(SYS_fstat, descriptor, status) == 0 ? 0 : -errno;
 }
 
 long examine_at(const greg_t* r) {
@@ -74,7 +86,7 @@ void on_path_call(int, siginfo_t* info, void* context) {
       result = examine_at(r);
       break;
     case SYS_access:
-      result = is_granted(r[REG_RDI]) ? 0 : -EACCES;
+      result = descriptor_of(r[REG_RDI]) >= 0 ? 0 : -EACCES;
       break;
     default:
       break;
@@ -93,6 +105,8 @@ constexpr int kAllowed[] = {SYS_read,
                             SYS_writev,
                             SYS_lseek,
                             SYS_fstat,
+                            SYS_fstatfs,
+                            SYS_getcwd,
                             SYS_close,
                             SYS_dup,
                             SYS_fcntl,
@@ -194,6 +208,7 @@ void enter_sandbox(const SandboxLimits& limits) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);
   if (limits.memory_bytes > 0) limit(RLIMIT_DATA, limits.memory_bytes);
+  if (limits.processor_seconds > 0) limit(RLIMIT_CPU, limits.processor_seconds);
   struct sigaction action = {};
   action.sa_sigaction = on_path_call;
   action.sa_flags = SA_SIGINFO | SA_NODEFER;

@@ -3,23 +3,19 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstring>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "base/confined_process.h"
 #include "image/reader_protocol.h"
 
 namespace oriel {
@@ -27,24 +23,6 @@ namespace {
 
 using reader::kArenaBytes;
 using reader::Operation;
-
-/// Closes a descriptor.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    const Descriptor before(std::exchange(number_, std::exchange(other.number_, -1)));
-    return *this;
-  }
-  ~Descriptor() {
-    if (number_ >= 0) close(number_);
-  }
-  int get() const { return number_; }
-
- private:
-  int number_;
-};
 
 Descriptor opened_file(const std::string& path) {
   // Without waiting for the writer of a FIFO.
@@ -56,43 +34,51 @@ Descriptor opened_file(const std::string& path) {
   return file;
 }
 
+/// The process had ended before the request; other requests ended it.
+struct EndedBefore : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// A reader process. Requests are serialised by `mutex`.
 class Reader {
  public:
-  explicit Reader(const ReaderOptions& options) : options_(options) {}
-  ~Reader() { end(); }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
+  explicit Reader(const ReaderOptions& options) : options_(options), seconds_(options.seconds) {}
 
   std::mutex mutex;
 
   /// Increases with each start; files of earlier processes are closed.
   int generation() const { return generation_; }
+  bool is_running() const { return process_ && process_->is_running(); }
 
   void start_if_needed() {
-    if (process_ <= 0) start();
+    if (!is_running()) start();
   }
 
-  /// Throws std::runtime_error if the file cannot be read or the process ended.
+  /// Errors:  EndedBefore, ProcessEnded; std::runtime_error if the file cannot be read.
   reader::Reply ask(const reader::Request& request, int descriptor = -1) {
-    start_if_needed();
+    if (!is_running() || !process_->send(&request, sizeof request, descriptor))
+      throw EndedBefore("the process that decodes it has ended");
     reader::Reply reply;
-    if (!reader::send_packet(socket_.get(), &request, sizeof request, descriptor)) fail("ended");
-    pollfd ready{socket_.get(), POLLIN, 0};
-    int count = -1;
-    do count = poll(&ready, 1, static_cast<int>(options_.seconds * 1000));
-    while (count < 0 && errno == EINTR);
-    if (count == 0) fail(fmt::format("took more than {} s", options_.seconds));
-    if (!reader::receive_packet(socket_.get(), &reply, sizeof reply)) fail("crashed");
+    try {
+      if (process_->receive(&reply, sizeof reply, seconds_) != sizeof reply) {
+        process_->end();
+        throw ProcessEnded("crashed");
+      }
+    } catch (const ProcessEnded& e) {
+      // So that many files that hang do not add up.
+      seconds_ = std::max(seconds_ / 2, std::min(kLeastSeconds, options_.seconds));
+      throw ProcessEnded(fmt::format("the process that decodes it {}", e.what()));
+    }
     reply.error[reader::kMaxError - 1] = 0;
-    if (!reply.good) throw std::runtime_error(printable(reply.error));
+    if (reply.good != 1) throw std::runtime_error(printable(reply.error));
     return reply;
   }
 
-  const std::byte* arena() const { return arena_; }
-  pid_t process() const { return process_; }
+  const std::byte* arena() const { return process_->memory().data(); }
 
  private:
+  static constexpr double kLeastSeconds = 4;
+
   /// Text of an untrusted process.
   static std::string printable(const char* text) {
     std::string out(text);
@@ -101,68 +87,21 @@ class Reader {
     return out.empty() ? "the image library gives no reason" : out;
   }
 
-  [[noreturn]] void fail(const std::string& what) {
-    end();
-    throw std::runtime_error("the process that decodes it " + what);
-  }
-
   void start() {
-    int sockets[2];
-    if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, sockets) != 0)
-      throw std::runtime_error("no reader process can be started");
-    Descriptor ours(sockets[0]), theirs(sockets[1]);
-    Descriptor memory(memfd_create("oriel-pixels", MFD_CLOEXEC | MFD_ALLOW_SEALING));
-    if (memory.get() < 0 || ftruncate(memory.get(), kArenaBytes) != 0 ||
-        // A process that shrinks the memory would crash this one.
-        fcntl(memory.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0)
-      throw std::runtime_error("no reader process can be started: shared memory is missing");
-    void* const arena = mmap(nullptr, kArenaBytes, PROT_READ, MAP_SHARED, memory.get(), 0);
-    if (arena == MAP_FAILED) throw std::runtime_error("no memory for a reader process");
-    arena_ = static_cast<const std::byte*>(arena);
-    spawn(theirs.get(), memory.get());
-    theirs = Descriptor();  // so that the end of the process is noticed
-    socket_ = std::move(ours);
+    process_.reset();
+    process_.emplace(ConfinedOptions{options_.program, kReaderArgument, options_.memory_mb,
+                                     kProcessorSeconds, kArenaBytes});
     ++generation_;
     reader::Request ready;
     ask(ready);
   }
 
-  void spawn(int socket, int memory) {
-    // The numbers may be those of the targets.
-    const Descriptor high_socket(fcntl(socket, F_DUPFD_CLOEXEC, 64));
-    const Descriptor high_memory(fcntl(memory, F_DUPFD_CLOEXEC, 64));
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, high_socket.get(), reader::kSocket);
-    posix_spawn_file_actions_adddup2(&actions, high_memory.get(), reader::kArena);
-    std::string words[] = {options_.program, kReaderArgument, std::to_string(options_.memory_mb)};
-    char* arguments[] = {words[0].data(), words[1].data(), words[2].data(), nullptr};
-    pid_t process = 0;
-    const int failed =
-        posix_spawn(&process, options_.program.c_str(), &actions, nullptr, arguments, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failed != 0)
-      throw std::runtime_error(
-          fmt::format("no reader process can be started: {}", std::strerror(failed)));
-    process_ = process;
-  }
-
-  void end() {
-    socket_ = Descriptor();
-    if (process_ > 0) {
-      kill(process_, SIGKILL);
-      waitpid(process_, nullptr, 0);
-    }
-    process_ = 0;
-    if (arena_) munmap(const_cast<std::byte*>(arena_), kArenaBytes);
-    arena_ = nullptr;
-  }
+  static constexpr std::size_t kProcessorSeconds = 24 * 3600;
 
   const ReaderOptions options_;
-  std::atomic<pid_t> process_ = 0;
+  double seconds_;  ///< for each request
   int generation_ = 0;
-  Descriptor socket_;
-  const std::byte* arena_ = nullptr;
+  std::optional<ConfinedProcess> process_;
 };
 
 struct Pool {
@@ -207,7 +146,7 @@ class IsolatedSource final : public PixelSource {
   }
   ~IsolatedSource() override {
     const std::lock_guard lock(reader_.mutex);
-    if (generation_ != reader_.generation() || !reader_.process()) return;
+    if (generation_ != reader_.generation() || !reader_.is_running()) return;
     try {
       reader_.ask(request(Operation::Close, 0, 0));
     } catch (const std::exception&) {  // it has ended, so the file is closed
@@ -254,6 +193,7 @@ class IsolatedSource final : public PixelSource {
     opening.operation = Operation::Open;
     set_path(opening, path_);
     const Descriptor file = opened_file(path_);
+    reader_.start_if_needed();
     id_ = reader_.ask(opening, file.get()).id;
     generation_ = reader_.generation();
   }
@@ -265,14 +205,21 @@ class IsolatedSource final : public PixelSource {
     const std::lock_guard lock(reader_.mutex);
     try {
       if (failed_) throw std::runtime_error(error_);
-      if (generation_ != reader_.generation() || !reader_.process()) open();
-      f();
+      if (generation_ != reader_.generation() || !reader_.is_running()) open();
+      try {
+        f();
+      } catch (const EndedBefore&) {
+        open();
+        f();
+      }
       return true;
+    } catch (const ProcessEnded& e) {
+      failed_ = true;
+      error_ = e.what();
     } catch (const std::exception& e) {
       error_ = e.what();
-      if (!reader_.process()) failed_ = true;
-      return false;
     }
+    return false;
   }
 
   reader::Request request(Operation operation, int subimage, int miplevel, int a = 0,
@@ -322,6 +269,7 @@ Image read_image_isolated(const std::string& path) {
   request.operation = Operation::Image;
   set_path(request, path);
   const std::lock_guard lock(reader.mutex);
+  reader.start_if_needed();
   const PixelLevel size = reader.ask(request, file.get()).level;
   constexpr std::int64_t kMaxSide = 1 << 16, kMaxFloats = std::int64_t{1} << 30;
   if (size.width < 1 || size.width > kMaxSide || size.height < 1 || size.height > kMaxSide ||

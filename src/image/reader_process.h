@@ -13,11 +13,11 @@
 namespace oriel {
 
 struct ReaderOptions {
-  /// Program that calls reader::serve() when its first argument is kReaderArgument; the second
-  /// argument is memory_mb.
+  /// Program that calls reader::serve() when its first argument is kReaderArgument; the others
+  /// are those of ConfinedOptions.
   std::string program = "/proc/self/exe";
   std::size_t memory_mb = 8192;  ///< of each process
-  double seconds = 60;           ///< for each request
+  double seconds = 60;           ///< for each request; less after a process that ended
   int processes = 0;             ///< 0 = one per processor, at most 8
 };
 

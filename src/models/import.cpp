@@ -220,6 +220,7 @@ std::optional<scene::Scene> import_model(const std::string& path, const ImportOp
                                          Diagnostics& diagnostics) {
   ImportOptions known = options;
   known.files.permit(std::filesystem::path(path).parent_path().string());
+  if (!options.texture_folder.empty()) known.files.permit(options.texture_folder);
   const ReadModel read = read_model(path, known, diagnostics);
   if (!read.scene) return std::nullopt;
   if (!known.up && suffix_of(path) == ".stl") known.up = 'z';

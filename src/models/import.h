@@ -2,14 +2,25 @@
 // Imports models as scenes: glTF, OBJ, FBX, Collada, IFC and other formats of assimp.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/diagnostic.h"
 #include "base/file_access.h"
+#include "base/vec.h"
 #include "scene/scene.h"
 
 namespace oriel::models {
+
+/// Writes a texture that is embedded in a model into the folder for them, as a whole.
+/// Inputs:  folder: created on demand.
+/// Errors:  std::runtime_error with the reason.
+void write_texture(const std::string& folder, const std::string& name, std::string_view content);
+
+/// Mean of the first three channels of a picture; unset if it cannot be read or has fewer.
+std::optional<Vec3> mean_color(const OpenFile& picture);
 
 struct ImportOptions {
   /// Folder for textures embedded in the model file; created on demand.
@@ -28,6 +39,10 @@ struct ImportOptions {
   std::optional<float> emission_scale;
   /// Policy for files that the model names. The folder of the model is permitted in addition.
   FileAccess files = {};
+  /// Replaces write_texture() for texture_folder, and mean_color(), where the process may not write
+  /// or cannot decode.
+  std::function<void(const std::string& name, std::string_view content)> texture_writer = {};
+  std::function<std::optional<Vec3>(const std::string& path)> color_reader = {};
 };
 
 /// Names of elements in every imported scene.

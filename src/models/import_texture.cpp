@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
 #include <stdexcept>
 #include <string_view>
 
 #include "base/durable_file.h"
+#include "image/files.h"
 #include "image/picture_target.h"
 #include "models/import_material.h"
 #include "models/shader_call.h"
@@ -36,8 +38,9 @@ std::string targa_of(const aiTexture& picture) {
   return file.append(reinterpret_cast<const char*>(picture.pcData), bytes);
 }
 
-/// File extension from the format of a compressed picture. assimp stores only three characters, too
-/// few for WebP, which is detected by its header.
+/// File extension from the format of a compressed picture; "png" if it is unknown, since readers
+/// look at the content. assimp stores only three characters, too few for WebP, which is detected by
+/// its header.
 std::string suffix_of(const aiTexture& picture) {
   constexpr std::size_t kNameEnds = 12;  // "RIFF", a size, "WEBP"
   const std::string_view start(reinterpret_cast<const char*>(picture.pcData),
@@ -45,11 +48,49 @@ std::string suffix_of(const aiTexture& picture) {
   if (start.substr(0, 4) == "RIFF" && start.substr(8) == "WEBP") return "webp";
   std::string suffix;
   for (const char* c = picture.achFormatHint; *c && suffix.size() < 5; ++c)
-    if (std::isalnum(static_cast<unsigned char>(*c))) suffix += *c;
-  return picture.mHeight == 0 ? (suffix.empty() ? "png" : suffix) : "tga";
+    suffix += static_cast<char>(std::tolower(static_cast<unsigned char>(*c)));
+  if (picture.mHeight > 0) return "tga";
+  return is_texture_suffix(suffix) ? suffix : "png";
 }
 
 }  // namespace
+
+bool is_texture_suffix(std::string_view suffix) {
+  constexpr std::string_view kKnown[] = {"png", "jpg", "jpeg", "webp", "tga", "bmp",  "tif", "tiff",
+                                         "gif", "dds", "hdr",  "exr",  "ktx", "ktx2", "jp2"};
+  return std::find(std::begin(kKnown), std::end(kKnown), suffix) != std::end(kKnown);
+}
+
+void write_texture(const std::string& folder, const std::string& name, std::string_view content) {
+  std::error_code error;
+  if (fs::is_symlink(folder, error)) throw std::runtime_error("its folder is a symbolic link");
+  fs::create_directories(folder, error);
+  const std::string path = (fs::path(folder) / name).string();
+  check_picture_target(path);
+  DurableFile file(path);
+  file.write(content);
+  file.commit();
+}
+
+std::optional<Vec3> mean_color(const OpenFile& picture) try {
+  if (!picture) return std::nullopt;
+  const Image image = read_image(picture.path());
+  if (image.channels < 3 || image.empty()) return std::nullopt;
+  Imath::V3d sum(0);  // of millions of pixels
+  for (std::size_t i = 0; i < image.pixels.size(); i += static_cast<std::size_t>(image.channels))
+    sum += Imath::V3d(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);
+  return Vec3(sum / static_cast<double>(image.pixel_count()));
+} catch (const std::runtime_error&) {
+  return std::nullopt;
+}
+
+std::optional<Vec3> TextureMaker::mean_color(const std::string& picture) const {
+  const auto* element = scene_.get<scene::Texture>(picture);
+  if (!element) return std::nullopt;
+  const std::string path = (fs::path(element->directory) / element->file).string();
+  return options_.color_reader ? options_.color_reader(path)
+                               : models::mean_color(options_.files.open(path, FileUse::Asset));
+}
 
 std::string TextureMaker::relative(const std::string& path) const {
   if (options_.scene_folder.empty()) return fs::absolute(path).lexically_normal().string();
@@ -84,14 +125,11 @@ std::optional<std::string> TextureMaker::file_of(const aiScene& model, const std
           : std::string(reinterpret_cast<const char*>(picture->pcData), picture->mWidth);
   if (content.empty()) return "";
   try {
-    std::error_code error;
-    if (fs::is_symlink(options_.texture_folder, error))
-      throw std::runtime_error("its folder is a symbolic link");
-    fs::create_directories(options_.texture_folder, error);
-    check_picture_target(path.string());
-    DurableFile file(path.string());
-    file.write(content);
-    file.commit();
+    const std::string name = path.filename().string();
+    if (options_.texture_writer)
+      options_.texture_writer(name, content);
+    else
+      write_texture(options_.texture_folder, name, content);
   } catch (const std::runtime_error& e) {
     diagnostics_.error("OR-MD-023", {},
                        fmt::format("cannot write the texture '{}': {}", path.string(), e.what()));

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/diagnostic.h"
@@ -14,6 +15,9 @@
 struct aiScene;
 
 namespace oriel::models {
+
+/// Whether embedded pictures are written with this suffix (without a dot).
+bool is_texture_suffix(std::string_view suffix);
 
 /// Makes the texture elements and lookup shaders of one import, once per file.
 class TextureMaker {
@@ -33,6 +37,8 @@ class TextureMaker {
   /// Name of a shader that looks up a picture in a texture space with repetition; empty if there is
   /// no picture.
   std::string lookup(const std::string& picture, unsigned space);
+  /// mean_color() of a texture element; unset if there is none.
+  std::optional<Vec3> mean_color(const std::string& picture) const;
 
  private:
   /// Path of the picture file, relative to the scene folder if it is inside; empty if not found.

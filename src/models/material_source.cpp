@@ -5,10 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <stdexcept>
 
-#include "image/files.h"
 #include "models/import_material.h"
 
 namespace oriel::models {
@@ -106,25 +103,11 @@ std::string MaterialSource::picture_at_first_space(aiTextureType type, unsigned 
 }
 
 bool MaterialSource::shows_normals(const std::string& texture) const {
-  const auto* element = scene_.get<scene::Texture>(texture);
-  if (!element) return false;
-  try {
-    const OpenFile file =
-        open_regular((std::filesystem::path(element->directory) / element->file).string());
-    if (!file) return false;
-    const Image image = read_image(file.path());
-    if (image.channels < 3 || image.empty()) return false;
-    Imath::V3d sum(0);  // of millions of pixels
-    for (std::size_t i = 0; i < image.pixels.size(); i += static_cast<std::size_t>(image.channels))
-      sum += Imath::V3d(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);
-    const Vec3 mean(sum / static_cast<double>(image.pixel_count()));
-    // Slopes cancel out over a picture; a bluish height map has less green or red.
-    constexpr float kMiddle = .5f, kOff = .1f, kBlue = .7f;
-    return std::fabs(mean.x - kMiddle) < kOff && std::fabs(mean.y - kMiddle) < kOff &&
-           mean.z > kBlue;
-  } catch (const std::runtime_error&) {
-    return false;
-  }
+  const std::optional<Vec3> mean = textures_.mean_color(texture);
+  // Slopes cancel out over a picture; a bluish height map has less green or red.
+  constexpr float kMiddle = .5f, kOff = .1f, kBlue = .7f;
+  return mean && std::fabs(mean->x - kMiddle) < kOff && std::fabs(mean->y - kMiddle) < kOff &&
+         mean->z > kBlue;
 }
 
 std::string MaterialSource::add(const std::string& suffix, const ShaderCall& call) {

@@ -88,6 +88,7 @@ class RefusedFiles {
 std::string reason_of(const std::string& error) {
   if (error.find("mNumMeshes is 0") != error.npos || error == "No meshes remaining")
     return "it has no surfaces that can be read";
+  if (error.find("bad_alloc") != error.npos) return kTooMuchMemory;
   if (error.starts_with("Validation failed")) return "it is damaged: " + error;
   return error;
 }

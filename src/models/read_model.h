@@ -18,6 +18,8 @@ namespace oriel::models {
 std::string suffix_of(const std::string& path);
 inline bool is_gltf(const std::string& suffix) { return suffix == ".gltf" || suffix == ".glb"; }
 
+inline constexpr const char* kTooMuchMemory = "it needs more memory than its reader may use";
+
 struct ReadModel {
   std::unique_ptr<const aiScene> scene;  ///< null if the file cannot be read
   std::map<std::string, GltfExtras> extras;

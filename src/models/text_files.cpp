@@ -3,11 +3,13 @@
 
 #include <assimp/MemoryIOWrapper.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <optional>
 
 #include "base/math.h"
@@ -44,6 +46,33 @@ bool is_utf16_file(const OpenFile& file) {
   return ::pread(file.descriptor(), mark, sizeof mark, 0) == sizeof mark &&
          is_utf16({mark, sizeof mark});
 }
+
+/// A file in memory. It does not depend on the position of the descriptor, which other streams may
+/// share.
+class MappedFile {
+ public:
+  explicit MappedFile(const OpenFile& file) : size_(static_cast<std::size_t>(file.size())) {
+    if (size_ > 0) start_ = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.descriptor(), 0);
+    if (start_ == MAP_FAILED) throw std::bad_alloc();
+  }
+  ~MappedFile() {
+    if (size_ > 0) ::munmap(start_, size_);
+  }
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+
+  const std::uint8_t* data() const { return static_cast<const std::uint8_t*>(start_); }
+  std::size_t size() const { return size_; }
+
+ private:
+  std::size_t size_;
+  void* start_ = nullptr;
+};
+
+class MappedStream final : private MappedFile, public Assimp::MemoryIOStream {
+ public:
+  explicit MappedStream(const OpenFile& file) : MappedFile(file), MemoryIOStream(data(), size()) {}
+};
 
 /// An element <name ...>number</name>: where it is and its number.
 struct NumberElement {
@@ -166,14 +195,11 @@ Assimp::IOStream* TextFiles::Open(const char* file, const char* mode) {
           file, opened.hint().empty() ? opened.reason() : opened.reason() + "; " + opened.hint());
     return nullptr;
   }
-  // By the path without links: assimp asks for the size by path later.
-  if (!rewrite_ && !is_utf16_file(opened))
-    return DefaultIOSystem::Open(opened.path().c_str(), mode);
+  if (!rewrite_ && !is_utf16_file(opened)) return new MappedStream(opened);
   auto found = changed_.find(file);
   if (found == changed_.end()) {
     std::string text = utf8_of(opened.read());
     if (rewrite_) text = rewrite_(text);
-    if (text.empty()) return DefaultIOSystem::Open(opened.path().c_str(), mode);
     found = changed_.emplace(file, std::move(text)).first;
   }
   const std::string& text = found->second;

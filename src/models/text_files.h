@@ -39,8 +39,8 @@ struct ModelFiles {
   std::map<std::string, std::string> refused = {};  ///< reasons and hints by name
 };
 
-/// Opens files for assimp: regular files that the policy permits, for reading only. It gives UTF-16
-/// to readers that do not know it.
+/// Opens files for assimp: regular files that the policy permits, for reading only. It gives UTF-8
+/// to readers that do not know UTF-16.
 /// Checked: ModelTextFiles.*, Confinement.* in tests/faults/confinement_test.cpp
 class TextFiles : public Assimp::DefaultIOSystem {
  public:

@@ -4,6 +4,7 @@
 
 #include "fault_test.h"
 #include "image/files.h"
+#include "image/reader_process.h"
 
 namespace oriel {
 namespace readers_test {
@@ -91,6 +92,40 @@ TEST_F(ReaderProcess, OtherFormatsAreRefusedInEveryMode) {
     write_textured(name);
     const RunResult r = render({"-o", "a.exr", "--samples", "1"});
     EXPECT_NE(r.err.find("not a supported image file"), std::string::npos) << name << r.err;
+  }
+}
+
+/// What read_image() says of a file with a process that the file has taken over; runs in a process
+/// of its own, because reader processes are for the rest of the process.
+[[noreturn]] void read_with_hostile_reader(const std::string& path, double seconds) {
+  ReaderOptions options;
+  options.program = ORIEL_HOSTILE_READER;
+  options.seconds = seconds;
+  options.processes = 1;
+  isolate_readers(options);
+  try {
+    read_image(path);
+    std::fputs("it was read", stderr);
+  } catch (const std::runtime_error& e) {
+    std::fputs(e.what(), stderr);
+  }
+  std::exit(0);
+}
+
+// acceptance: Z6
+TEST_F(ReaderProcess, HostileReadersGiveOneMessage) {
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  for (const auto& [name, message] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"crash", "crashed"},
+           {"short", "crashed"},
+           {"hang", "took more than 0.3 s"},
+           {"error", "error':  +"},  // escapes become blanks
+           {"width", "unsupported size"},
+           {"height", "unsupported size"},
+           {"channels", "unsupported size"}}) {
+    const std::string path = file(name);
+    write(name, "any");
+    EXPECT_EXIT(read_with_hostile_reader(path, .3), testing::ExitedWithCode(0), message) << name;
   }
 }
 

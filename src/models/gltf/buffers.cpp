@@ -35,7 +35,7 @@ std::string Buffers::load(std::size_t index) {
     if (!data) throw Unreadable(fmt::format("the data of buffer {} is not valid base64", index));
     return std::move(data->bytes);
   }
-  const std::string name = file_name(uri, folder_);
+  const std::string name = file_name(uri, folder_, files_);
   OpenFile file = files_.open((fs::path(folder_) / name).string(), FileUse::Asset);
   if (file.fault() == OpenFile::Fault::Missing)
     throw Unreadable(fmt::format("file \"{}\" does not exist in the folder of the model", name));

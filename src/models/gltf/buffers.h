@@ -31,6 +31,8 @@ class Buffers {
   /// Errors:  Unreadable if the limit is exceeded: a small file may declare huge sizes.
   void spend(std::size_t bytes);
 
+  const FileAccess& files() const { return files_; }
+
  private:
   static std::size_t most_bytes(std::size_t content_size);
   std::string_view buffer(std::size_t index);

@@ -20,7 +20,7 @@ json plain_image(const json& written, Buffers& buffers, const std::string& folde
     made["bufferView"] = file.add_view(data->bytes);
     if (type.empty()) type = data->media_type;
   } else if (!uri.empty()) {
-    const std::string name = file_name(uri, folder);
+    const std::string name = file_name(uri, folder, buffers.files());
     made["uri"] = name.substr(0, 5) == "data:" ? uri : name;
     return made;
   } else if (const auto view = whole(member(written, "bufferView"))) {

@@ -77,13 +77,13 @@ std::optional<DataUri> data_of(std::string_view uri) {
   return made;
 }
 
-std::string file_name(const std::string& uri, const std::string& folder) {
+std::string file_name(const std::string& uri, const std::string& folder, const FileAccess& files) {
   std::string name = unescaped(uri);
-  std::error_code error;
-  if (name != uri && !fs::exists(fs::path(folder) / name, error) &&
-      fs::exists(fs::path(folder) / uri, error))
-    return uri;
-  return name;
+  const auto exists = [&](const std::string& candidate) {
+    return files.open((fs::path(folder) / candidate).string(), FileUse::Asset).fault() !=
+           OpenFile::Fault::Missing;
+  };
+  return name != uri && !exists(name) && exists(uri) ? uri : name;
 }
 
 }  // namespace oriel::models::gltf

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/file_access.h"
+
 namespace oriel::models::gltf {
 
 /// Decodes percent escapes; an invalid escape is copied.
@@ -20,8 +22,8 @@ struct DataUri {
 /// Source:  RFC 2397; RFC 4648, 4.
 std::optional<DataUri> data_of(std::string_view uri);
 
-/// Name of an existing file in `folder`: the decoded URI or, for files with unescaped names, the
+/// Name of a file in `folder` that exists: the decoded URI or, for files with unescaped names, the
 /// URI as written. If neither exists, the decoded URI.
-std::string file_name(const std::string& uri, const std::string& folder);
+std::string file_name(const std::string& uri, const std::string& folder, const FileAccess& files);
 
 }  // namespace oriel::models::gltf

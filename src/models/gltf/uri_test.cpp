@@ -32,9 +32,9 @@ TEST(GltfUri, NamesAreSearchedDecodedAndAsWritten) {
   folder.write("a b.bin", "x");
   folder.write("50%25.bin", "x");
   const std::string where = folder.path();
-  EXPECT_EQ(file_name("a%20b.bin", where), "a b.bin");
-  EXPECT_EQ(file_name("50%25.bin", where), "50%25.bin");
-  EXPECT_EQ(file_name("none%20.bin", where), "none .bin");
+  EXPECT_EQ(file_name("a%20b.bin", where, {}), "a b.bin");
+  EXPECT_EQ(file_name("50%25.bin", where, {}), "50%25.bin");
+  EXPECT_EQ(file_name("none%20.bin", where, {}), "none .bin");
 }
 
 }  // namespace uri_test
