@@ -74,12 +74,6 @@ bool shadowed_by_unseen(const World& world, const ShadingPoint& point, const Vec
   return world.accel->occluded(leave(point, wi, distance * kShortOfLight, geom::RayMask::Shadow));
 }
 
-bool receives_shadows(const World& world, const ShadingPoint& point) {
-  if (world.options.shadow == scene::ShadowMode::Off) return false;
-  return point.instance < 0 ||
-         world.instances[static_cast<std::size_t>(point.instance)].receives_shadow;
-}
-
 Rgb straight_through(const Material& material, ShadingPoint& point,
                      const scene::RenderOptions& options, Closure& by) {
   point.light = -1;

@@ -6,16 +6,6 @@
 #include "transport/shadow.h"
 
 namespace oriel {
-LightInReflection light_in_reflection(const Closure& closure, bool visible, bool forced) {
-  if (!visible) return {0, closure.highlight_scale};
-  // Rays reflect visible lights; a highlight is added only if the material requests it.
-  return {1, forced || closure.highlights_of_visible_lights ? closure.highlight_scale : 0};
-}
-
-LightInReflection hidden_portal_in_reflection(const Closure& closure) {
-  return {0, light_in_reflection(closure, true).as_highlight};
-}
-
 namespace {
 
 /// Sums the samples of one vertex.

@@ -80,8 +80,15 @@ struct LightInReflection {
   float sum() const { return as_reflection + as_highlight; }
 };
 /// `forced`: the light requires its highlight in any case.
-LightInReflection light_in_reflection(const Closure& closure, bool visible, bool forced = false);
+inline LightInReflection light_in_reflection(const Closure& closure, bool visible,
+                                             bool forced = false) {
+  if (!visible) return {0, closure.highlight_scale};
+  // Rays reflect visible lights; a highlight is added only if the material requests it.
+  return {1, forced || closure.highlights_of_visible_lights ? closure.highlight_scale : 0};
+}
 /// For a portal that rays pass: they bring the environment behind it.
-LightInReflection hidden_portal_in_reflection(const Closure& closure);
+inline LightInReflection hidden_portal_in_reflection(const Closure& closure) {
+  return {0, light_in_reflection(closure, true).as_highlight};
+}
 
 }  // namespace oriel

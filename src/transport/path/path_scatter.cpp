@@ -194,6 +194,13 @@ void Path::take_direct(const Closure& closure, const LobeChoice& choice, Shading
                     .place = place_},
                    sampler_, counts_, shares ? &*shares : nullptr);
   const Rgb indirect = indirect_factor() * closure.indirect_scale;
+  if (!record_->has_parts()) {
+    Rgb all = sum.diffuse + sum.translucency +
+              (sum.environment_translucency + sum.environment * light_.occlusion) * indirect;
+    if (!caustics_are_mapped()) all += sum.specular + sum.reflection + sum.refraction;
+    record_->radiance += light_.throughput * all;
+    return;
+  }
   const auto bring_all = [&](const DirectLight& light, std::size_t layer) {
     const auto bring = [&](Aov c, const Rgb& radiance) {
       if (!is_black(radiance)) add(aov_.at_vertex(c), light_.throughput * radiance, layer);
@@ -367,7 +374,7 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
                     !limits_reflections(closure) && !caustics_are_mapped());
   if (!choice.any) return false;
 
-  if (needs_origin()) from_.point = point;
+  from_.point = &point;
   from_.shadows = receives_shadows(world_, point);
   from_.invisible = light_in_reflection(closure, false);
   from_.visible = light_in_reflection(closure, true);

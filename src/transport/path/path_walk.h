@@ -74,7 +74,9 @@ class Path {
   /// The vertex that the ray left, for the MIS weights of lights and environment that it hits.
   struct Vertex {
     bool weighed = false;  ///< a non-delta vertex that sampled lights
-    ShadingPoint point;
+    /// Where lights were sampled, for lights with a shape that the ray hits; belongs to the caller
+    /// of walk(), or to walk(). Null: nothing was sampled.
+    ShadingPoint* point = nullptr;
     LitVertex lights;
     float pdf = 0;
     LobeGroup group = LobeGroup::Diffuse;
@@ -164,7 +166,7 @@ class Path {
 
   // path.cpp
   void walk();
-  bool shade_hit(const geom::Hit& hit);
+  bool shade_hit(const geom::Hit& hit, ShadingPoint& point);
   const Material& shade_surface(const geom::Hit& hit, ShadingPoint& point, Closure& closure);
   void record_first_hit(const Closure& closure, const ShadingPoint& point,
                         const Material& material);
@@ -298,10 +300,6 @@ class Path {
   // path_grid.cpp
   void interpolate(Closure& closure, const Material& material, const ShadingPoint& point,
                    LobeChoice& choice);
-
-  /// Whether the point that the ray left is needed at its next hit: for lights with a shape, and
-  /// for shadows of objects that rays do not see.
-  bool needs_origin() const { return world_.has_area_lights || world_.has_unseen_blockers; }
 
   const World& world_;
   Vec2 raster_;
