@@ -30,6 +30,11 @@ struct Transmittance {
 Transmittance shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
                                    float distance, RayCounts& counts, int light = -1);
 
+/// The same where no opaque object is between the point and the light.
+Transmittance transparent_transmittance(const World& world, const ShadingPoint& point,
+                                        const Vec3& wi, float distance, RayCounts& counts,
+                                        int light = -1);
+
 /// Whether rays of lobes hit an object before `distance` that casts no shadow.
 ///
 /// Inputs:  lobes: one bit geom::RayMask::Shadowless*, for the kind of the rays.

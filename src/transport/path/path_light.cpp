@@ -15,6 +15,15 @@ bool ends_at_portal(const World& world, const geom::Ray& ray, float t) {
   return portals_on_way(world, ray.org, ray.dir, t, ray.time, true).ends_diffuse;
 }
 
+/// The place where a ray was `passed` ago, not on a surface, for lights that the ray hits.
+ShadingPoint point_in_air(const World& world, const geom::Ray& ray, float passed) {
+  ShadingPoint point;
+  point.position = ray.org - ray.dir * passed;
+  point.time = ray.time;
+  point.world = &world;
+  return point;
+}
+
 }  // namespace
 
 /// Whether the ray ends at a portal that it hits from inside.
@@ -59,15 +68,8 @@ void Path::meet_lights(float t_surface, bool& ended) {
     return portals_on_way(world_, way_.ray.org, way_.ray.dir, t * kShortOfPortal, way_.ray.time)
         .view;
   };
-  const auto origin_at = [&](const Vec3& position) {
-    ShadingPoint origin;
-    origin.position = position;
-    origin.time = way_.ray.time;
-    origin.world = &world_;
-    return origin;
-  };
   const auto end_at = [&](const Light& light) {
-    ShadingPoint origin = origin_at(way_.ray.org);
+    ShadingPoint origin = point_in_air(world_, way_.ray, 0);
     return intersect_light(light, origin, way_.ray.dir, nearest, way_.kind);
   };
   const auto meet = [&](int index) {
@@ -93,7 +95,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
     const float expected = world_.light_sampler->expected_samples(from_.lights, index);
     if (expected <= 0 && !alone) return;
     std::optional<ShadingPoint> unsampled;
-    if (!from_.point) unsampled = origin_at(way_.ray.org - way_.ray.dir * from_.passed);
+    if (!from_.point) unsampled = point_in_air(world_, way_.ray, from_.passed);
     ShadingPoint& from = from_.point ? *from_.point : *unsampled;
     auto hit = intersect_light(light, from, way_.ray.dir, from_.passed + t_surface);
     if (!hit || hit->t < from_.passed) return;

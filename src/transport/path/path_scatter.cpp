@@ -191,7 +191,8 @@ void Path::take_direct(const Closure& closure, const LobeChoice& choice, Shading
                     .falloff_distance = falloff_distance(closure),
                     .estimator = settings_.estimator,
                     .observer = depth_.after_diffuse ? nullptr : record_->observer,
-                    .place = place_},
+                    .place = place_,
+                    .beside = beside_lit_surfaces(point)},
                    sampler_, counts_, shares ? &*shares : nullptr);
   const Rgb indirect = indirect_factor() * closure.indirect_scale;
   if (!record_->has_parts()) {
@@ -368,10 +369,11 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
   }
   if (scatters_light && (!from_.lights.empty() || from_.lights.environment_samples > 0))
     take_direct(closure, choice, point, diffuse || (reads_photons() && !reads_bounces()));
-  from_.emission_on_diffuse = from_.emission_in_reflections = false;
-  if (scatters_light && choice.any && !world_.light_sampler->mesh_lights().empty())
-    sample_emission(closure, choice, point, diffuse,
+  if (scatters_light && choice.any)
+    sample_surfaces(closure, choice, point, diffuse,
                     !limits_reflections(closure) && !caustics_are_mapped());
+  else
+    from_.surfaces_on_diffuse = from_.surfaces_in_reflections = false;
   if (!choice.any) return false;
 
   from_.point = &point;

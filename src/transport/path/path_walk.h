@@ -92,8 +92,8 @@ class Path {
       return group == LobeGroup::Diffuse ? hit.affects_diffuse : hit.affects_specular;
     }
     bool shadows = true;
-    // Emissive triangles were sampled for diffuse lobes, and for glossy reflections.
-    bool emission_on_diffuse = false, emission_in_reflections = false;
+    // Surfaces were sampled as lights for diffuse lobes, and for glossy reflections.
+    bool surfaces_on_diffuse = false, surfaces_in_reflections = false;
     LitPoint lit;      ///< the point that emissive triangles were sampled for
     float passed = 0;  ///< distance since then, through surfaces that did not bend the ray
   };
@@ -218,10 +218,21 @@ class Path {
   Rgb reflected_environment(const Vec3& direction);
 
   // path_emission.cpp
-  void sample_emission(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point,
+  /// A point of a surface that was sampled as a light.
+  struct SurfaceTarget : TriangleSample {
+    int light = -1;  ///< the directional light that it reflects; -1 = its emission
+    Vec2 u_light{0};
+  };
+  void sample_surfaces(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point,
                        bool on_diffuse, bool in_reflections);
-  Rgb emission_seen(const Closure& closure, const ShadingPoint& point, const TriangleSample& target,
-                    RayKind kind);
+  void sample_emission(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point);
+  void sample_lit(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point);
+  void connect(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point,
+               const SurfaceTarget& target, float u_group, std::size_t layer);
+  Rgb seen_of(const SurfaceTarget& target, const Closure& closure, const ShadingPoint& point,
+              RayKind kind);
+  static float area_per_angle(float distance2, float cosine);
+  BesideLitSurfaces beside_lit_surfaces(const ShadingPoint& point) const;
   float emission_weight(const geom::Hit& hit, const ShadingPoint& point) const;
 
   // path_scatter.cpp
