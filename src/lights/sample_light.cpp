@@ -133,6 +133,16 @@ void take_value(const LightValue& value, LightSample& sample) {
   sample.is_sun = value.is_sun;
 }
 
+}  // namespace
+
+Vec3 direction_to(const Light& light, Vec2 u) {
+  if (!(light.cone_angle > 0)) return -light.direction;
+  const float width = sampling::one_minus_cos(sqr(math::sin(light.cone_angle)));
+  return -Frame(light.direction).to_world(sampling::sample_cone(u, width));
+}
+
+namespace {
+
 /// Lights without extent. Returns false where the light does not reach the point.
 bool sample_sharp(const Light& light, ShadingPoint& point, Vec2 u, RayKind kind,
                   LightSample& sample) {
@@ -144,12 +154,7 @@ bool sample_sharp(const Light& light, ShadingPoint& point, Vec2 u, RayKind kind,
     return true;
   };
   if (light.shape == LightShape::Directional) {
-    Vec3 direction = light.direction;
-    if (light.cone_angle > 0)
-      direction = Frame(light.direction)
-                      .to_world(sampling::sample_cone(
-                          u, sampling::one_minus_cos(sqr(math::sin(light.cone_angle)))));
-    sample.wi = -direction;
+    sample.wi = direction_to(light, u);
     sample.distance = kInfinity;
   } else if (!place(light.position)) {
     return false;

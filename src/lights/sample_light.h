@@ -26,6 +26,9 @@ inline constexpr float kAsWritten = -1;
 std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point, Vec2 u,
                                         RayKind kind = RayKind::Light);
 
+/// The unit direction in which sample_light() finds a directional light that does not move.
+Vec3 direction_to(const Light& light, Vec2 u);
+
 /// A ray's hit on the shape of a light.
 struct LightHit {
   float t = 0;

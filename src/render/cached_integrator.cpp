@@ -8,6 +8,7 @@
 
 #include "render/cache_state.h"
 #include "transport/gather/gather_map.h"
+#include "transport/path/pilot_paths.h"
 #include "transport/photon/photon_edges.h"
 #include "transport/photon/photon_trace.h"
 
@@ -21,6 +22,8 @@ constexpr float kGatherError = 0.5f;
 /// Length of a ray, in radii of a coarse record, up to which a path does not end at the record:
 /// near an edge it is too coarse. A guess.
 constexpr float kRetrace = 2;
+/// Gain by sampling lit surfaces from which on it is used; the estimate is noisy.
+constexpr float kWorthwhile = 1.1f;
 /// Number of stored photons per light, and maximum number of emitted ones.
 constexpr std::uint64_t kPhotonsPerLight = 100000, kMaxPhotons = 2000000;
 
@@ -124,6 +127,7 @@ void CachedIntegrator::trace(const Camera::Ray& eye, Vec2 raster, float paths_of
   PathSettings settings = path_settings();
   settings.paths_of_pixel = paths_of_pixel;
   settings.grid = reads_grid() ? &*grid_ : nullptr;
+  settings.lit = lit_.empty() ? nullptr : &lit_;
   trace_path(world_, eye, raster, settings, record, sampler, counts);
 }
 
@@ -131,7 +135,19 @@ void CachedIntegrator::prepare(const IntegratorPreparation& p) {
   if (plan_.global || plan_.caustic) trace_photon_maps(p);
   if (plan_.gather) gather(p);
   if (plan_.bounces) cache_bounces(gather_passes(p.seed), p);
+  find_lit_surfaces(p);
   if (!caches_only()) grid_.emplace(world_, path_settings(), p.seed, p.counts);
+}
+
+/// Caches hold the light of lit surfaces already.
+void CachedIntegrator::find_lit_surfaces(const IntegratorPreparation& p) {
+  if (!plan_.indirect || plan_.maps() || caches_only()) return;
+  lit_ = LitSurfaces(world_, p.window, p.seed, p.counts);
+  if (lit_.empty()) return;
+  PathSettings sampled = path_settings();
+  sampled.lit = &lit_;
+  if (efficiency_ratio(world_, p.window, sampled, path_settings(), p.seed, p.counts) < kWorthwhile)
+    lit_ = {};
 }
 
 void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {
@@ -262,6 +278,7 @@ void CachedIntegrator::restore(CheckpointReader& in, const IntegratorPreparation
     bounces_.query = bounces_query(world_);
     if (paths_.diffuse_bounces > 0) use_bounces();
   }
+  find_lit_surfaces(p);
   grid_.emplace(world_, path_settings(), p.seed, p.counts);
 }
 

@@ -10,6 +10,7 @@
 #include "transport/gather/gather_passes.h"
 #include "transport/indirect_caches.h"
 #include "transport/path/glossy_grid.h"
+#include "transport/path/lit_surfaces.h"
 #include "transport/path/path.h"
 #include "transport/photon/photon_file.h"
 
@@ -43,6 +44,7 @@ class CachedIntegrator final : public Integrator {
   bool has_unknown_light() const override { return read_files_ || reads_grid(); }
 
  private:
+  void find_lit_surfaces(const IntegratorPreparation& p);
   void trace_photon_maps(const IntegratorPreparation& p);
   void use_photon_maps();
   GatherPasses gather_passes(std::uint32_t seed);
@@ -62,6 +64,7 @@ class CachedIntegrator final : public Integrator {
   Bounces bounces_;
   GatherCache cache_;
   std::optional<GlossyGrid> grid_;
+  LitSurfaces lit_;
   bool read_files_ = false;
 };
 

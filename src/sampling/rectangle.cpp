@@ -81,10 +81,11 @@ SphericalRectangle::Sample SphericalRectangle::sample(const Vec2& u) const {
     // Column: the x up to which the strip has the share u.x of the solid angle.
     const float au = u.x * solid_angle_ + k_;
     const auto [sine, cosine] = sine_cosine(au);
-    const float fu = (cosine * b0_ - b1_) / sine;
-    const float r2 = fu * fu + b0_ * b0_;
-    const float cu = std::copysign(1 / std::sqrt(std::max(r2, 1.0f)), fu);
-    x = clamp(-cu * z0_ / std::sqrt(std::max(1 - cu * cu, 1e-12f)), x0_, x1_);
+    // cu = sign(fu) / sqrt(fu^2 + b0^2) with fu = f / sine, and x = -cu z0 / sqrt(1 - cu^2), in one
+    // root and one division.
+    const float f = cosine * b0_ - b1_, s2 = sine * sine;
+    const float below = std::max(f * f - (1 - b0_ * b0_) * s2, 1e-12f * s2);
+    x = clamp(std::copysign(z0_, f) * sine / std::sqrt(std::max(below, 1e-36f)), x0_, x1_);
     // Row: heights in the strip are uniform in the sine of the elevation.
     const float d2 = x * x + z0_ * z0_;
     const float h0 = y0_ / std::sqrt(d2 + y0_ * y0_);

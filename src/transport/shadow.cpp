@@ -19,6 +19,12 @@ constexpr int kMaxShadowBlockers = 128;
 /// block it.
 constexpr float kShortOfLight = 1 - 1e-4f;
 
+constexpr Transmittance kClosed{Rgb(0), Rgb(0), Rgb(0)};
+
+float short_of_light(float distance) {
+  return std::isinf(distance) ? distance : distance * kShortOfLight;
+}
+
 /// Multiplies by the transmittance of a blocker.
 void pass(const Material& material, const Closure& closure, ShadingPoint& blocker,
           const scene::RenderOptions& options, Transmittance& open) {
@@ -74,12 +80,6 @@ bool shadowed_by_unseen(const World& world, const ShadingPoint& point, const Vec
   return world.accel->occluded(leave(point, wi, distance * kShortOfLight, geom::RayMask::Shadow));
 }
 
-bool receives_shadows(const World& world, const ShadingPoint& point) {
-  if (world.options.shadow == scene::ShadowMode::Off) return false;
-  return point.instance < 0 ||
-         world.instances[static_cast<std::size_t>(point.instance)].receives_shadow;
-}
-
 Rgb straight_through(const Material& material, ShadingPoint& point,
                      const scene::RenderOptions& options, Closure& by) {
   point.light = -1;
@@ -91,17 +91,18 @@ Rgb straight_through(const Material& material, ShadingPoint& point,
 
 Transmittance shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
                                    float distance, RayCounts& counts, int light) {
-  constexpr Transmittance kClosed{Rgb(0), Rgb(0), Rgb(0)};
-  const float tfar =
-      std::isinf(distance) ? std::numeric_limits<float>::infinity() : distance * kShortOfLight;
-  geom::Ray ray = leave(point, wi, tfar, geom::RayMask::Shadow);
   ++counts.shadow;
-  if (world.accel->occluded(ray)) return kClosed;
-  if (!world.has_transparent_blockers) return {};
+  if (world.accel->occluded(leave(point, wi, short_of_light(distance), geom::RayMask::Shadow)))
+    return kClosed;
+  return transparent_transmittance(world, point, wi, distance, counts, light);
+}
 
-  // Transparent blockers from the point to the light.
+Transmittance transparent_transmittance(const World& world, const ShadingPoint& point,
+                                        const Vec3& wi, float distance, RayCounts& counts,
+                                        int light) {
+  if (!world.has_transparent_blockers) return {};
+  geom::Ray ray = leave(point, wi, short_of_light(distance), geom::RayMask::ShadowTransparent);
   const bool segments = world.options.shadow == scene::ShadowMode::Segments;
-  ray.mask = geom::RayMask::ShadowTransparent;
   Transmittance open;
   const auto dim = [&](const Rgb& t) {
     open.all *= t;

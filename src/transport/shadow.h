@@ -30,6 +30,11 @@ struct Transmittance {
 Transmittance shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
                                    float distance, RayCounts& counts, int light = -1);
 
+/// The same where no opaque object is between the point and the light.
+Transmittance transparent_transmittance(const World& world, const ShadingPoint& point,
+                                        const Vec3& wi, float distance, RayCounts& counts,
+                                        int light = -1);
+
 /// Whether rays of lobes hit an object before `distance` that casts no shadow.
 ///
 /// Inputs:  lobes: one bit geom::RayMask::Shadowless*, for the kind of the rays.
@@ -43,7 +48,11 @@ bool shadowed_by_unseen(const World& world, const ShadingPoint& point, const Vec
                         float distance, RayCounts& counts);
 
 /// Whether lights are shadowed at the point: not if the scene or its instance disables them.
-bool receives_shadows(const World& world, const ShadingPoint& point);
+inline bool receives_shadows(const World& world, const ShadingPoint& point) {
+  if (world.options.shadow == scene::ShadowMode::Off) return false;
+  return point.instance < 0 ||
+         world.instances[static_cast<std::size_t>(point.instance)].receives_shadow;
+}
 
 /// Straight transmission of a closure, for shadow rays and for methods that must agree with them.
 Transmittance straight_transmission(const Closure& closure, const scene::RenderOptions& options);

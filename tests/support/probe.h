@@ -14,6 +14,7 @@
 #include "sampling/sampler.h"
 #include "support/scene_text.h"
 #include "support/test_shaders.h"
+#include "transport/path/lit_surfaces.h"
 #include "transport/path/path.h"
 
 namespace oriel::testing {
@@ -56,6 +57,17 @@ class Probe {
     settings_.mesh_lights = on;
     return *this;
   }
+
+  /// Samples the surfaces that directional lights illuminate, as renders by paths do.
+  Probe& lit_surfaces() {
+    const Camera& camera = world_->camera;
+    RayCounts counts;
+    lit_ = std::make_unique<LitSurfaces>(*world_, Window{0, 0, camera.width, camera.height}, 0,
+                                         counts);
+    settings_.lit = lit_->empty() ? nullptr : lit_.get();
+    return *this;
+  }
+  bool has_lit_surfaces() const { return settings_.lit != nullptr; }
 
   /// Paths that share the sample counts of the materials; by default each lobe gets one ray.
   Probe& paths_of_pixel(float paths) {
@@ -106,6 +118,7 @@ class Probe {
   scene::Scene scene_;
   std::unique_ptr<World> world_;
   PathSettings settings_;
+  std::unique_ptr<LitSurfaces> lit_;
   bool outputs_ = false;
 };
 

@@ -6,16 +6,6 @@
 #include "transport/shadow.h"
 
 namespace oriel {
-LightInReflection light_in_reflection(const Closure& closure, bool visible, bool forced) {
-  if (!visible) return {0, closure.highlight_scale};
-  // Rays reflect visible lights; a highlight is added only if the material requests it.
-  return {1, forced || closure.highlights_of_visible_lights ? closure.highlight_scale : 0};
-}
-
-LightInReflection hidden_portal_in_reflection(const Closure& closure) {
-  return {0, light_in_reflection(closure, true).as_highlight};
-}
-
 namespace {
 
 /// Sums the samples of one vertex.
@@ -47,6 +37,17 @@ class DirectSum {
     if (request_.observer)
       request_.observer->on_light_sample(request_.place, point_,
                                          {light, wi, reach, unshadowed, open});
+  }
+
+  /// MIS weight of a light that LitSurfaces samples as well.
+  float found_by_ray(int light, const Vec3& wi) const {
+    const BesideLitSurfaces& beside = request_.beside;
+    const float density = beside.surfaces->density(light, point_.position, wi);
+    if (!(density > 0)) return 1;
+    // The normal faces the viewer, and LitSurfaces must find the lit side.
+    const float pdf = density * dot(point_.geometric_normal, wi) * beside.area_per_angle;
+    if (!(pdf > 0)) return 1;
+    return bsdf_sample_weight(request_.estimator, beside.pdf, pdf);
   }
 
   const World& world_;
@@ -87,7 +88,10 @@ void DirectSum::add_light(const LightPick& pick, const Vec2& u) {
   const float kept = linear_fade(s->distance, request_.falloff_distance);
   DirectLight& sum =
       shares_ ? shares_->next(world_.light_layers.of_light[static_cast<std::size_t>(index)]) : sum_;
-  const Rgb& arriving = s->irradiance;
+  Rgb arriving = s->irradiance;
+  const bool blockable = shadows_ && s->shadow && s->shadow_factor == 0;
+  if (request_.unblocked_only && !blockable) return;
+  if (request_.beside.surfaces && blockable) arriving *= found_by_ray(index, s->wi);
   // Factor of tinted portals between the light and the point.
   Rgb view(1);
   if (request_.for_the_eye && world_.has_tinted_portals)
@@ -110,7 +114,10 @@ void DirectSum::add_light(const LightPick& pick, const Vec2& u) {
     return add(Rgb(1), Rgb(1), Rgb(1), Rgb(1));
   }
 
-  const Transmittance open = shadow_transmittance(world_, point_, s->wi, s->reach, counts_, index);
+  const Transmittance open =
+      request_.unblocked_only
+          ? transparent_transmittance(world_, point_, s->wi, s->reach, counts_, index)
+          : shadow_transmittance(world_, point_, s->wi, s->reach, counts_, index);
   tell(index, s->wi, s->reach, shown * arriving, open.all);
   // Light that rays of the lobe cannot find has weight 1.
   const auto weight = [&](const Response::Part& part, std::uint32_t shadowless) {
@@ -179,6 +186,18 @@ void DirectSum::add_environment(const Vec2& u) {
 }
 
 }  // namespace
+
+Rgb light_of(const World& world, ShadingPoint& point, const Closure& closure, int light, Vec2 u,
+             bool rays_bend, RayCounts& counts) {
+  const LitVertex at(world, point, closure);
+  if (!(world.light_sampler->expected_samples(at, light) > 0)) return Rgb(0);
+  const DirectRequest request{
+      .rays_bend = rays_bend, .for_the_eye = rays_bend, .unblocked_only = true};
+  DirectSum direct(world, point, closure, {}, at, request, counts, nullptr);
+  direct.add_light({light, 1}, u);
+  const DirectLight& sum = direct.sum();
+  return sum.diffuse + sum.translucency + sum.specular + sum.reflection + sum.refraction;
+}
 
 DirectLight direct_light(const World& world, ShadingPoint& point, const Closure& closure,
                          const LobeChoice& lobes, const LitVertex& lights,

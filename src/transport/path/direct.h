@@ -11,9 +11,18 @@
 #include "transport/counts.h"
 #include "transport/estimator.h"
 #include "transport/lobes.h"
+#include "transport/path/lit_surfaces.h"
 #include "transport/path/path_observer.h"
 
 namespace oriel {
+
+/// What light samples at a surface know of the vertex that found it by a ray of a lobe, if that
+/// vertex sampled the surfaces that directional lights illuminate.
+struct BesideLitSurfaces {
+  const LitSurfaces* surfaces = nullptr;  ///< null: it did not
+  float pdf = 0;                          ///< of the ray, per solid angle
+  float area_per_angle = 0;               ///< of the surface, seen from there
+};
 
 /// Controls of direct light.
 struct DirectRequest {
@@ -31,6 +40,9 @@ struct DirectRequest {
   Estimator estimator = Estimator::Mis;
   PathObserver* observer = nullptr;  ///< optional observer of samples; may be null
   PathObserver::Place place = PathObserver::kEye;
+  BesideLitSurfaces beside = {};
+  /// Only light that opaque objects would block, at a point where none does.
+  bool unblocked_only = false;
 };
 
 /// Radiance toward wo, per unit throughput, by the lobe that it came through.
@@ -74,14 +86,29 @@ DirectLight direct_light(const World& world, ShadingPoint& point, const Closure&
                          const DirectRequest& request, sampling::Sampler& sampler,
                          RayCounts& counts, DirectShares* shares = nullptr);
 
+/// Light of one directional light alone, as direct_light() computes it, with expected values.
+///
+/// Inputs:  point: where no opaque object is between it and the light; u: of sample_light();
+///          rays_bend: as DirectRequest. The closure is ready for the viewer.
+/// Returns: radiance toward wo; black if the light would pass opaque objects.
+Rgb light_of(const World& world, ShadingPoint& point, const Closure& closure, int light, Vec2 u,
+             bool rays_bend, RayCounts& counts);
+
 /// Weights of a light in reflecting lobes, where both rays and highlights can show it.
 struct LightInReflection {
   float as_reflection = 0, as_highlight = 1;
   float sum() const { return as_reflection + as_highlight; }
 };
 /// `forced`: the light requires its highlight in any case.
-LightInReflection light_in_reflection(const Closure& closure, bool visible, bool forced = false);
+inline LightInReflection light_in_reflection(const Closure& closure, bool visible,
+                                             bool forced = false) {
+  if (!visible) return {0, closure.highlight_scale};
+  // Rays reflect visible lights; a highlight is added only if the material requests it.
+  return {1, forced || closure.highlights_of_visible_lights ? closure.highlight_scale : 0};
+}
 /// For a portal that rays pass: they bring the environment behind it.
-LightInReflection hidden_portal_in_reflection(const Closure& closure);
+inline LightInReflection hidden_portal_in_reflection(const Closure& closure) {
+  return {0, light_in_reflection(closure, true).as_highlight};
+}
 
 }  // namespace oriel

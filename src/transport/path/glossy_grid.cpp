@@ -69,7 +69,7 @@ class GridPointVisitor final : public SurfaceVisitor {
         branch.take_direct(alone, only, point, true);
         branch.light_.throughput = Rgb(1);
       }
-      if (path.needs_origin()) branch.from_.point = point;
+      branch.from_.point = &point;
       branch.from_.shadows = receives_shadows(path.world_, point);
       branch.from_.visible = branch.from_.invisible = {1, 0};
       if (branch.continue_path(alone, only, material, point, i, branch.sampler_.next_1d(),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "color/luminance.h"
 #include "transport/path/path_walk.h"
@@ -208,8 +209,7 @@ void Path::record_first_hit(const Closure& closure, const ShadingPoint& point,
 }
 
 /// Handles a hit. False: the path ends here.
-bool Path::shade_hit(const geom::Hit& hit) {
-  ShadingPoint point;
+bool Path::shade_hit(const geom::Hit& hit, ShadingPoint& point) {
   Closure closure;
   const Material& material = shade_surface(hit, point, closure);
   const float distance = from_.passed + hit.t;
@@ -253,6 +253,7 @@ bool Path::shade_hit(const geom::Hit& hit) {
 }
 
 void Path::walk() {
+  ShadingPoint points[2];  // of this surface, and of the vertex that the ray left
   for (; depth_.vertex < kMaxVertices; ++depth_.vertex) {
     sampler_.set_dimension(kDrawsPerVertex * static_cast<std::uint32_t>(depth_.vertex + 1));
     geom::Hit hit;
@@ -273,7 +274,9 @@ void Path::walk() {
         meet_environment();
       return;
     }
-    if (!shade_hit(hit)) return;
+    ShadingPoint& point = points[from_.point == &points[0] ? 1 : 0];
+    std::construct_at(&point);
+    if (!shade_hit(hit, point)) return;
   }
 }
 

@@ -13,6 +13,7 @@
 namespace oriel {
 
 class GlossyGrid;
+class LitSurfaces;
 struct IndirectCaches;
 
 /// Settings of paths.
@@ -32,6 +33,7 @@ struct PathSettings {
   /// paths each splits into fewer rays at its first surface.
   float paths_of_pixel = 1e6f;
   const IndirectCaches* maps = nullptr;  ///< caches of indirect light; null = all light is traced
+  const LitSurfaces* lit = nullptr;      ///< sampled as lights; null = only rays find them
   const GlossyGrid* grid = nullptr;  ///< for materials that interpolate reflections; null = none
 };
 

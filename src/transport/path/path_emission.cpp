@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emissive triangles sampled as lights, with MIS against rays of lobes.
+// Surfaces sampled as lights, with MIS against rays of lobes: emissive triangles, and surfaces that
+// directional lights illuminate.
 #include <cmath>
 
 #include "transport/path/path_walk.h"
@@ -9,8 +10,10 @@
 namespace oriel {
 namespace {
 
-/// Stream number; those of lobes start at 0.
-constexpr std::uint32_t kBranch = 4000;
+/// Stream numbers; those of lobes start at 0.
+constexpr std::uint32_t kEmissionBranch = 4000, kLitBranch = 4001;
+/// Surfaces seen more nearly edge-on are left to rays.
+constexpr float kMinCosine = 1e-5f;
 /// Maximum number of transparent surfaces on a shadow ray; beyond it the light is lost.
 constexpr int kMaxBlockers = 128;
 /// A hit of the same instance beyond this share of the distance counts as the sampled triangle.
@@ -33,30 +36,87 @@ float brightness(const Rgb& c) { return c.x + c.y + c.z; }
 
 }  // namespace
 
-/// Adds one sample of the emissive triangles, for the lobes whose rays also find them. The sample
-/// has the value that such a ray would return.
-void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
+/// Samples surfaces as lights, for the lobes whose rays also find them.
+void Path::sample_surfaces(const Closure& closure, const LobeChoice& choice,
                            const ShadingPoint& point, bool on_diffuse, bool in_reflections) {
+  from_.surfaces_on_diffuse = from_.surfaces_in_reflections = false;
   // Not in volumes: their shaders act on whole rays.
-  if (!settings_.mesh_lights || settings_.estimator == Estimator::BsdfOnly ||
-      !world_.camera_volume.empty())
-    return;
+  if (settings_.estimator == Estimator::BsdfOnly || !world_.camera_volume.empty()) return;
+  const bool emission = settings_.mesh_lights && !world_.light_sampler->mesh_lights().empty();
+  if (!emission && !settings_.lit) return;
   on_diffuse = on_diffuse && has_rays(closure, choice, LobeGroup::Diffuse);
   in_reflections = in_reflections && !depth_reached(LobeKind::GlossyReflection) &&
                    has_rays(closure, choice, LobeGroup::Reflection);
   if (!on_diffuse && !in_reflections) return;
-  from_.emission_on_diffuse = on_diffuse;
-  from_.emission_in_reflections = in_reflections;
-  from_.lit = {point.position, is_translucent(closure) ? Vec3(0) : point.geometric_normal};
+  from_.surfaces_on_diffuse = on_diffuse;
+  from_.surfaces_in_reflections = in_reflections;
+  if (emission) sample_emission(closure, choice, point);
+  if (settings_.lit) sample_lit(closure, choice, point);
+}
 
-  sampling::Sampler stream = sampler_.split(0, 1, kBranch);
+/// Adds one sample of the emissive triangles.
+void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
+                           const ShadingPoint& point) {
+  from_.lit = {point.position, is_translucent(closure) ? Vec3(0) : point.geometric_normal};
+  sampling::Sampler stream = sampler_.split(0, 1, kEmissionBranch);
   const Vec2 u_choice = stream.next_2d(), u_place = stream.next_2d();
   const float u_group = stream.next_1d();
   const auto sample =
       world_.light_sampler->sample_triangle(from_.lit, point.time, u_choice, u_place);
   if (!sample) return;
-  const Vec3& wi = sample->wi;
+  const int instance = static_cast<int>(world_.accel->instance(sample->instance).user);
+  connect(closure, choice, point, {*sample}, u_group, layer_of_instance(instance));
+}
 
+/// Adds one sample of the surfaces that directional lights illuminate.
+void Path::sample_lit(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point) {
+  sampling::Sampler stream = sampler_.split(0, 1, kLitBranch);
+  const float u_beam = stream.next_1d();
+  const Vec2 u_cell = stream.next_2d(), u_light = stream.next_2d();
+  ++counts_.shadow;
+  const auto sample = settings_.lit->sample(point.time, u_beam, u_cell, u_light);
+  if (!sample) return;
+  SurfaceTarget target;
+  const Vec3 to = sample->position - point.position;
+  const float d2 = to.length2();
+  target.distance = std::sqrt(d2);
+  target.wi = to * (1 / target.distance);
+  const float seen = -dot(sample->normal, target.wi), lit = dot(sample->normal, sample->to_light);
+  if (!(seen * lit > 0)) return;  // the other side is lit
+  target.pdf = sample->density * std::abs(lit) * area_per_angle(d2, seen);
+  if (!(target.pdf > 0) || !std::isfinite(target.pdf)) return;
+  target.instance = sample->instance;
+  target.primitive = sample->primitive;
+  target.light = sample->light;
+  target.u_light = u_light;
+  connect(closure, choice, point, target, stream.next_1d(), layer_of_light(target.light));
+}
+
+/// Area of a surface per solid angle; 0 if it is seen edge-on, for sampling and its weights alike.
+float Path::area_per_angle(float distance2, float cosine) {
+  return std::abs(cosine) > kMinCosine ? distance2 / std::abs(cosine) : 0;
+}
+
+/// The weights of directional lights at this surface, which sample_lit() may have found as well.
+BesideLitSurfaces Path::beside_lit_surfaces(const ShadingPoint& point) const {
+  const bool sampled = from_.group == LobeGroup::Diffuse      ? from_.surfaces_on_diffuse
+                       : from_.group == LobeGroup::Reflection ? from_.surfaces_in_reflections
+                                                              : false;
+  if (!settings_.lit || !from_.weighed || !sampled || point.instance < 0 ||
+      !can_be_found(world_, static_cast<std::uint32_t>(point.instance)))
+    return {};
+  const float distance = from_.passed + point.ray_length;
+  return {settings_.lit, from_.pdf,
+          area_per_angle(distance * distance, dot(point.geometric_normal, point.ray_direction))};
+}
+
+/// Adds the light that a sampled surface sends to this vertex. It has the value that a ray of a
+/// lobe would return.
+void Path::connect(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point,
+                   const SurfaceTarget& target, float u_group, std::size_t layer) {
+  const Vec3& wi = target.wi;
+  const bool on_diffuse = from_.surfaces_on_diffuse;
+  const bool in_reflections = from_.surfaces_in_reflections;
   const Response r = evaluate_closure(closure, choice, point, point.wo(), wi);
   const float diffuse = on_diffuse ? brightness(r.diffuse.value) : 0;
   const float reflection = in_reflections ? brightness(r.reflection.value) : 0;
@@ -66,10 +126,10 @@ void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
   const bool of_diffuse = u_group < share;
   const Response::Part& part = of_diffuse ? r.diffuse : r.reflection;
   const Rgb seen =
-      emission_seen(closure, point, *sample, of_diffuse ? RayKind::FinalGather : RayKind::Reflect);
+      seen_of(target, closure, point, of_diffuse ? RayKind::FinalGather : RayKind::Reflect);
   if (is_black(seen)) return;
-  const float weight = light_sample_weight(settings_.estimator, sample->pdf, part.pdf);
-  Rgb radiance = part.value * seen * (weight / (sample->pdf * (of_diffuse ? share : 1 - share)));
+  const float weight = light_sample_weight(settings_.estimator, target.pdf, part.pdf);
+  Rgb radiance = part.value * seen * (weight / (target.pdf * (of_diffuse ? share : 1 - share)));
   Aov component = Aov::Reflection;
   if (of_diffuse) {
     radiance *= indirect_factor() * closure.indirect_scale;
@@ -78,17 +138,16 @@ void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
       component = Aov::Indirect;
       radiance *= light_.occlusion;
       if (light_.near_distance > 0)
-        radiance *= Rgb(1) - light_.near_dark * linear_fade(sample->distance, light_.near_distance);
+        radiance *= Rgb(1) - light_.near_dark * linear_fade(target.distance, light_.near_distance);
     }
   }
-  const int instance = static_cast<int>(world_.accel->instance(sample->instance).user);
-  add(aov_.at_vertex(component), light_.throughput * radiance, layer_of_instance(instance));
+  add(aov_.at_vertex(component), light_.throughput * radiance, layer);
 }
 
-/// The emission of a triangle that a ray of that kind would return: as walk() and pass_straight(),
-/// with expected values instead of random choices.
-Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
-                        const TriangleSample& target, RayKind kind) {
+/// Light of a surface that a ray of that kind would return: as walk() and pass_straight(), with
+/// expected values instead of random choices.
+Rgb Path::seen_of(const SurfaceTarget& target, const Closure& closure, const ShadingPoint& point,
+                  RayKind kind) {
   const Vec3& wi = target.wi;
   const float distance = target.distance;
   const bool gathers = kind == RayKind::FinalGather;
@@ -128,7 +187,13 @@ Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
     met.tracer = nullptr;
     way.meet_surface(its, met);
     if (!way.medium.clear()) kept *= transmittance(way.medium, length(met.position - left));
-    if (arrived) return kept * its.emission * its.opacity;
+    if (arrived) {
+      if (target.light < 0) return kept * its.emission * its.opacity;
+      if (straight) met.glossiness = its.glossiness;
+      make_ready(its, met.wo());
+      return kept * light_of(world_, met, its, target.light, target.u_light, !straight, counts_) *
+             its.opacity;
+    }
 
     Closure filter;
     const Closure* passed = &its;
@@ -154,9 +219,9 @@ Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
 /// MIS weight of emission that a ray hit.
 float Path::emission_weight(const geom::Hit& hit, const ShadingPoint& point) const {
   const bool sampled = from_.group == LobeGroup::Diffuse
-                           ? from_.emission_on_diffuse
-                           : from_.group == LobeGroup::Reflection && from_.emission_in_reflections;
-  if (!from_.weighed || !sampled) return 1;
+                           ? from_.surfaces_on_diffuse
+                           : from_.group == LobeGroup::Reflection && from_.surfaces_in_reflections;
+  if (!from_.weighed || !sampled || world_.light_sampler->mesh_lights().empty()) return 1;
   const float pdf = world_.light_sampler->triangle_pdf(from_.lit, hit.time, hit.instance,
                                                        hit.primitive, point.position, way_.ray.dir);
   if (!(pdf > 0)) return 1;

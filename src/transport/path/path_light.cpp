@@ -15,6 +15,15 @@ bool ends_at_portal(const World& world, const geom::Ray& ray, float t) {
   return portals_on_way(world, ray.org, ray.dir, t, ray.time, true).ends_diffuse;
 }
 
+/// The place where a ray was `passed` ago, not on a surface, for lights that the ray hits.
+ShadingPoint point_in_air(const World& world, const geom::Ray& ray, float passed) {
+  ShadingPoint point;
+  point.position = ray.org - ray.dir * passed;
+  point.time = ray.time;
+  point.world = &world;
+  return point;
+}
+
 }  // namespace
 
 /// Whether the ray ends at a portal that it hits from inside.
@@ -60,10 +69,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
         .view;
   };
   const auto end_at = [&](const Light& light) {
-    ShadingPoint origin;
-    origin.position = way_.ray.org;
-    origin.time = way_.ray.time;
-    origin.world = &world_;
+    ShadingPoint origin = point_in_air(world_, way_.ray, 0);
     return intersect_light(light, origin, way_.ray.dir, nearest, way_.kind);
   };
   const auto meet = [&](int index) {
@@ -88,15 +94,19 @@ void Path::meet_lights(float t_surface, bool& ended) {
     bool alone = portal && portal->photons_only && portal->visible;  // never sampled
     const float expected = world_.light_sampler->expected_samples(from_.lights, index);
     if (expected <= 0 && !alone) return;
-    auto hit = intersect_light(light, from_.point, way_.ray.dir, from_.passed + t_surface);
+    std::optional<ShadingPoint> unsampled;
+    if (!from_.point) unsampled = point_in_air(world_, way_.ray, from_.passed);
+    ShadingPoint& from = from_.point ? *from_.point : *unsampled;
+    auto hit = intersect_light(light, from, way_.ray.dir, from_.passed + t_surface);
     if (!hit || hit->t < from_.passed) return;
     if (portal && portal->visible && way_.kind != RayKind::FinalGather && is_black(hit->radiance)) {
       // Samples below the threshold are black, but the surface remains visible.
-      hit = intersect_light(light, from_.point, way_.ray.dir, from_.passed + t_surface, way_.kind);
+      hit = intersect_light(light, from, way_.ray.dir, from_.passed + t_surface, way_.kind);
+      if (!hit) return;
       alone = true;
     }
     if (!alone && (!hit->shadow || !from_.shadows)) return;
-    if (shadowed_by_unseen(world_, from_.point, way_.ray.dir, hit->t, counts_)) return;
+    if (shadowed_by_unseen(world_, from, way_.ray.dir, hit->t, counts_)) return;
     const float weight =
         alone ? 1.0f : bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * expected);
     const Rgb arriving = light_.lights * hit->radiance * from_.affected(*hit) *
@@ -192,7 +202,7 @@ void Path::meet_environment() {
   if (weighed) {
     // Radiance that light sampling can find gets a MIS weight; the rest is added in full. Nothing
     // was sampled in the shadow of objects that this ray does not see.
-    const bool alone = shadowed_by_unseen(world_, from_.point, ray.direction, kInfinity, counts_);
+    const bool alone = shadowed_by_unseen(world_, *from_.point, ray.direction, kInfinity, counts_);
     const float weight =
         alone ? 1.0f : bsdf_sample_weight(settings_.estimator, from_.pdf, seen.pdf);
     radiance -= seen.radiance * (1 - weight);

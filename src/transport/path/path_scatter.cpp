@@ -191,9 +191,17 @@ void Path::take_direct(const Closure& closure, const LobeChoice& choice, Shading
                     .falloff_distance = falloff_distance(closure),
                     .estimator = settings_.estimator,
                     .observer = depth_.after_diffuse ? nullptr : record_->observer,
-                    .place = place_},
+                    .place = place_,
+                    .beside = beside_lit_surfaces(point)},
                    sampler_, counts_, shares ? &*shares : nullptr);
   const Rgb indirect = indirect_factor() * closure.indirect_scale;
+  if (!record_->has_parts()) {
+    Rgb all = sum.diffuse + sum.translucency +
+              (sum.environment_translucency + sum.environment * light_.occlusion) * indirect;
+    if (!caustics_are_mapped()) all += sum.specular + sum.reflection + sum.refraction;
+    record_->radiance += light_.throughput * all;
+    return;
+  }
   const auto bring_all = [&](const DirectLight& light, std::size_t layer) {
     const auto bring = [&](Aov c, const Rgb& radiance) {
       if (!is_black(radiance)) add(aov_.at_vertex(c), light_.throughput * radiance, layer);
@@ -361,13 +369,14 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
   }
   if (scatters_light && (!from_.lights.empty() || from_.lights.environment_samples > 0))
     take_direct(closure, choice, point, diffuse || (reads_photons() && !reads_bounces()));
-  from_.emission_on_diffuse = from_.emission_in_reflections = false;
-  if (scatters_light && choice.any && !world_.light_sampler->mesh_lights().empty())
-    sample_emission(closure, choice, point, diffuse,
+  if (scatters_light && choice.any)
+    sample_surfaces(closure, choice, point, diffuse,
                     !limits_reflections(closure) && !caustics_are_mapped());
+  else
+    from_.surfaces_on_diffuse = from_.surfaces_in_reflections = false;
   if (!choice.any) return false;
 
-  if (needs_origin()) from_.point = point;
+  from_.point = &point;
   from_.shadows = receives_shadows(world_, point);
   from_.invisible = light_in_reflection(closure, false);
   from_.visible = light_in_reflection(closure, true);

@@ -47,6 +47,8 @@ bool Path::pass_volume(const NodeList& nodes, ShadingPoint& way, bool endless) {
     // No lights were sampled here, so lights are invisible to the ray.
     from_.weighed = true;
     std::construct_at(&from_.lights);
+    from_.point = nullptr;
+    from_.surfaces_on_diffuse = from_.surfaces_in_reflections = false;
     from_.group = LobeGroup::Diffuse;
     from_.passed = way_.volume_passed = 0;
     way_.leave_volume_point(volume.place, volume.onward, mask());

@@ -74,7 +74,9 @@ class Path {
   /// The vertex that the ray left, for the MIS weights of lights and environment that it hits.
   struct Vertex {
     bool weighed = false;  ///< a non-delta vertex that sampled lights
-    ShadingPoint point;
+    /// Where lights were sampled, for lights with a shape that the ray hits; belongs to the caller
+    /// of walk(), or to walk(). Null: nothing was sampled.
+    ShadingPoint* point = nullptr;
     LitVertex lights;
     float pdf = 0;
     LobeGroup group = LobeGroup::Diffuse;
@@ -90,8 +92,8 @@ class Path {
       return group == LobeGroup::Diffuse ? hit.affects_diffuse : hit.affects_specular;
     }
     bool shadows = true;
-    // Emissive triangles were sampled for diffuse lobes, and for glossy reflections.
-    bool emission_on_diffuse = false, emission_in_reflections = false;
+    // Surfaces were sampled as lights for diffuse lobes, and for glossy reflections.
+    bool surfaces_on_diffuse = false, surfaces_in_reflections = false;
     LitPoint lit;      ///< the point that emissive triangles were sampled for
     float passed = 0;  ///< distance since then, through surfaces that did not bend the ray
   };
@@ -164,7 +166,7 @@ class Path {
 
   // path.cpp
   void walk();
-  bool shade_hit(const geom::Hit& hit);
+  bool shade_hit(const geom::Hit& hit, ShadingPoint& point);
   const Material& shade_surface(const geom::Hit& hit, ShadingPoint& point, Closure& closure);
   void record_first_hit(const Closure& closure, const ShadingPoint& point,
                         const Material& material);
@@ -216,10 +218,21 @@ class Path {
   Rgb reflected_environment(const Vec3& direction);
 
   // path_emission.cpp
-  void sample_emission(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point,
+  /// A point of a surface that was sampled as a light.
+  struct SurfaceTarget : TriangleSample {
+    int light = -1;  ///< the directional light that it reflects; -1 = its emission
+    Vec2 u_light{0};
+  };
+  void sample_surfaces(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point,
                        bool on_diffuse, bool in_reflections);
-  Rgb emission_seen(const Closure& closure, const ShadingPoint& point, const TriangleSample& target,
-                    RayKind kind);
+  void sample_emission(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point);
+  void sample_lit(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point);
+  void connect(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point,
+               const SurfaceTarget& target, float u_group, std::size_t layer);
+  Rgb seen_of(const SurfaceTarget& target, const Closure& closure, const ShadingPoint& point,
+              RayKind kind);
+  static float area_per_angle(float distance2, float cosine);
+  BesideLitSurfaces beside_lit_surfaces(const ShadingPoint& point) const;
   float emission_weight(const geom::Hit& hit, const ShadingPoint& point) const;
 
   // path_scatter.cpp
@@ -298,10 +311,6 @@ class Path {
   // path_grid.cpp
   void interpolate(Closure& closure, const Material& material, const ShadingPoint& point,
                    LobeChoice& choice);
-
-  /// Whether the point that the ray left is needed at its next hit: for lights with a shape, and
-  /// for shadows of objects that rays do not see.
-  bool needs_origin() const { return world_.has_area_lights || world_.has_unseen_blockers; }
 
   const World& world_;
   Vec2 raster_;

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The choice between settings of paths by a few paths before the picture.
+#include "transport/path/pilot_paths.h"
+
+#include "base/parallel.h"
+#include "support/probe.h"
+
+namespace oriel::testing {
+namespace pilot_paths_test {
+
+/// A floor under a lamp of 2 `half` on a side.
+SceneText lamp_over_floor(float half) {
+  SceneText scene;
+  scene.lambert("white", .5f).plate("white");
+  scene.light("lamp", fmt::format("\"physical_light\" ( \"color\" 9 9 9 ) origin 0 0 1 direction "
+                                  "0 0 -1 rectangle {0} 0 0 0 {0} 0 3 3",
+                                  2 * half));
+  return scene.camera("focal 1 aperture 1 aspect 1 resolution 32 32",
+                      "transform 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -4 1");
+}
+
+float ratio(const World& world, Estimator a, Estimator b, std::uint32_t seed = 0) {
+  PathSettings of_a, of_b;
+  of_a.estimator = a;
+  of_b.estimator = b;
+  RayCounts counts;
+  return efficiency_ratio(world, {0, 0, 32, 32}, of_a, of_b, seed, counts);
+}
+
+TEST(PilotPaths, PreferTheSettingsWithLessNoise) {
+  // Rays rarely find a lamp of .2 x .2 at distance 1; samples of it are nearly exact.
+  const Probe probe(lamp_over_floor(.1f));
+  const World& world = probe.world();
+  EXPECT_GT(ratio(world, Estimator::LightOnly, Estimator::BsdfOnly), 4);
+  EXPECT_LT(ratio(world, Estimator::BsdfOnly, Estimator::LightOnly), .25f);
+}
+
+TEST(PilotPaths, FindNoDifferenceBetweenEqualSettings) {
+  const Probe probe(lamp_over_floor(.5f));
+  double sum = 0;
+  constexpr int kSeeds = 8;
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed)
+    sum += ratio(probe.world(), Estimator::Mis, Estimator::Mis, seed) / double(kSeeds);
+  EXPECT_NEAR(sum, 1, .2);
+}
+
+TEST(PilotPaths, DoNotDependOnTheNumberOfThreads) {
+  const Probe probe(lamp_over_floor(.1f));
+  const float many = ratio(probe.world(), Estimator::Mis, Estimator::BsdfOnly);
+  const ThreadLimit one(1);
+  EXPECT_EQ(ratio(probe.world(), Estimator::Mis, Estimator::BsdfOnly), many);
+}
+
+TEST(PilotPaths, ScenesWithoutLightHaveNoPreference) {
+  SceneText dark;
+  dark.lambert("white", .5f).plate("white").camera("focal 1 aperture 1 aspect 1 resolution 8 8");
+  EXPECT_EQ(ratio(Probe(dark).world(), Estimator::Mis, Estimator::BsdfOnly), 1);
+}
+
+}  // namespace pilot_paths_test
+}  // namespace oriel::testing
