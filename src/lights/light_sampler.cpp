@@ -22,6 +22,10 @@ constexpr float kMinTriangleCosine = 1e-5f;
 /// Portals know the openings through which the environment shines, so a vertex after a diffuse
 /// bounce samples other directions less often: most of them are blocked. A guess.
 constexpr float kEnvironmentBesidePortals = 0.25f;
+/// Largest share of the samples that ignore openings, for an environment of small lamps: these may
+/// be visible through gaps that are no openings. An environment with at most half of its light
+/// above the mean has none.
+constexpr float kPlainShareBesideOpenings = 0.1f;
 /// Share of light above the mean from which on each vertex takes one sample of the environment.
 constexpr float kUnevennessOfOneSample = 0.2f;
 /// Below it, samples are so rare that they would only add noise.
@@ -56,6 +60,7 @@ LitVertex::LitVertex(const World& world, const ShadingPoint& point, const Closur
       instance_(point.instance < 0 ? nullptr
                                    : &world.instances[static_cast<std::size_t>(point.instance)]),
       listed_(closure.lights),
+      placed_(true),
       has_elements_(!world.lights.empty()) {
   const int mode = closure.light_mode;
   by_material_ = mode == 1 || mode == 2 || (mode == 0 && listed_.size > 0);
@@ -78,8 +83,12 @@ bool LitVertex::is_listed(int light) const {
   return std::find(linked.begin(), linked.end(), light) != linked.end();
 }
 
-LightSampler::LightSampler(const World& world, EnvironmentLight environment, MeshLights mesh_lights)
-    : world_(world), environment_(std::move(environment)), mesh_lights_(std::move(mesh_lights)) {
+LightSampler::LightSampler(const World& world, EnvironmentLight environment, MeshLights mesh_lights,
+                           Openings openings)
+    : world_(world),
+      environment_(std::move(environment)),
+      mesh_lights_(std::move(mesh_lights)),
+      openings_(std::move(openings)) {
   const geom::Box3 box = world.accel->bounds();
   const float reach = box.isEmpty() ? 1 : std::max(length(box.size()) / 2, 1e-6f);
   sets_[kPortals].sample_all = kSampleAllPortals;
@@ -123,20 +132,32 @@ float LightSampler::expected_samples(const LitVertex& at, int light) const {
                                                                                         light);
 }
 
-float LightSampler::environment_samples(bool after_diffuse, bool alone) const {
-  if (!environment_.lights()) return 0;
-  if (alone) return 1;
+float LightSampler::plain_samples(bool after_diffuse) const {
   const float rate = std::min(1.0f, environment_.unevenness() / kUnevennessOfOneSample);
   if (rate < kMinEnvironmentRate) return 0;
   return after_diffuse && !portals().empty() ? kEnvironmentBesidePortals * rate : rate;
 }
 
-LightSampler::EnvironmentFound LightSampler::find_environment(float expected_samples,
+float LightSampler::environment_samples(const LitVertex& at, bool after_diffuse, bool alone) const {
+  if (!environment_.lights()) return 0;
+  if (alone || (at.placed_ && openings_.light(at.lit_))) return 1;
+  return plain_samples(after_diffuse);
+}
+
+float LightSampler::plain_share(const LitVertex& at) const {
+  if (!at.placed_ || !openings_.light(at.lit_)) return 1;
+  return kPlainShareBesideOpenings * std::max(0.0f, 2 * environment_.unevenness() - 1);
+}
+
+LightSampler::EnvironmentFound LightSampler::find_environment(const LitVertex* sampled,
                                                               const EnvironmentRay& ray) const {
-  if (!(expected_samples > 0)) return {environment_radiance(ray), 0};
+  if (!sampled) return {environment_radiance(ray), 0};
   const std::size_t cell = environment_.table().cell_of(ray.direction);
-  return {environment_.table().radiance(world_, ray, cell),
-          environment_.pdf(ray.direction, cell) * expected_samples};
+  const float plain = plain_share(*sampled);
+  float pdf = 0;
+  if (plain > 0) pdf += plain * environment_.pdf(ray.direction, cell);
+  if (plain < 1) pdf += (1 - plain) * openings_.pdf(sampled->lit_, ray.direction);
+  return {environment_.table().radiance(world_, ray, cell), pdf * sampled->environment_samples};
 }
 
 std::optional<EnvironmentDirection> LightSampler::sample_environment(const LitVertex& at, Vec2 u,
@@ -144,9 +165,30 @@ std::optional<EnvironmentDirection> LightSampler::sample_environment(const LitVe
   const float expected = at.environment_samples;
   if (u.x >= expected) return std::nullopt;
   u.x = std::min(u.x / expected, 0x1.fffffep-1f);
-  const auto s = alone ? environment_.sample_alone(u) : environment_.sample(u);
-  return EnvironmentDirection{{s.wi, std::numeric_limits<float>::infinity(), s.pdf * expected},
-                              s.cell};
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  if (alone) {
+    const auto s = environment_.sample_alone(u);
+    return EnvironmentDirection{{s.wi, kFar, s.pdf * expected}, s.cell};
+  }
+  const float plain = plain_share(at);
+  EnvironmentDirection found{{Vec3(0), kFar, 0}, 0};
+  if (u.x < plain) {
+    const auto s = environment_.sample(Vec2(std::min(u.x / plain, 0x1.fffffep-1f), u.y));
+    found.wi = s.wi;
+    found.cell = s.cell;
+    found.pdf = plain * s.pdf;
+    if (plain < 1) found.pdf += (1 - plain) * openings_.pdf(at.lit_, s.wi);
+  } else {
+    const auto s =
+        openings_.sample(at.lit_, Vec2(std::min((u.x - plain) / (1 - plain), 0x1.fffffep-1f), u.y));
+    if (!s) return std::nullopt;
+    found.wi = s->wi;
+    found.cell = environment_.table().cell_of(s->wi);
+    found.pdf = (1 - plain) * s->pdf;
+    if (plain > 0) found.pdf += plain * environment_.pdf(s->wi, found.cell);
+  }
+  found.pdf *= expected;
+  return found;
 }
 
 std::optional<TriangleSample> LightSampler::sample_triangle(const LitPoint& at, float time,

@@ -12,6 +12,7 @@
 #include "lights/environment_light.h"
 #include "lights/light_tree.h"
 #include "lights/mesh_lights.h"
+#include "lights/openings.h"
 #include "lights/sample_light.h"
 #include "runtime/closure.h"
 #include "runtime/world.h"
@@ -58,7 +59,8 @@ class LitVertex {
   LitPoint lit_;
   const InstanceData* instance_ = nullptr;
   ArrayView<LightRef> listed_;
-  int count_ = -1;  ///< length of the list if only the listed lights count, else -1
+  int count_ = -1;       ///< length of the list if only the listed lights count, else -1
+  bool placed_ = false;  ///< has a position
   bool has_elements_ = false;
   bool by_material_ = false;  ///< the list is the material's, else the instance's links
   bool excluded_ = false;     ///< the listed lights do not count
@@ -96,7 +98,8 @@ class LightSampler {
  public:
   /// Inputs:  world: with its lights bound, its geometry built and its portals opened; it must
   ///          outlive the sampler.
-  LightSampler(const World& world, EnvironmentLight environment, MeshLights mesh_lights);
+  LightSampler(const World& world, EnvironmentLight environment, MeshLights mesh_lights,
+               Openings openings = {});
 
   // Elements
 
@@ -127,8 +130,8 @@ class LightSampler {
 
   const EnvironmentLight& environment() const { return environment_; }
   /// Expected number of samples for a vertex. `alone`: no BSDF sample is combined with them;
-  /// otherwise those find an even environment as well, which gets none.
-  float environment_samples(bool after_diffuse, bool alone) const;
+  /// otherwise those find an even environment as well, which gets none, except through openings.
+  float environment_samples(const LitVertex& at, bool after_diffuse, bool alone) const;
   /// A direction, or by chance none.
   std::optional<EnvironmentDirection> sample_environment(const LitVertex& at, Vec2 u,
                                                          bool alone) const;
@@ -137,8 +140,8 @@ class LightSampler {
     Rgb radiance{0};
     float pdf = 0;  ///< of sample_environment
   };
-  /// Inputs:  expected_samples: of the vertex that the ray left.
-  EnvironmentFound find_environment(float expected_samples, const EnvironmentRay& ray) const;
+  /// Inputs:  sampled: the vertex that the ray left; null = it did not sample the environment.
+  EnvironmentFound find_environment(const LitVertex* sampled, const EnvironmentRay& ray) const;
   /// The same radiance alone.
   Rgb environment_radiance(const EnvironmentRay& ray) const {
     return environment_.table().radiance(world_, ray);
@@ -174,6 +177,10 @@ class LightSampler {
     float expected_samples(const LitPoint& lit, int light) const;
   };
   static std::size_t set_of(const Light& light);
+  /// Share of the samples of the environment that ignore openings.
+  float plain_share(const LitVertex& at) const;
+  /// Expected number of samples without openings, beside samples of lobes.
+  float plain_samples(bool after_diffuse) const;
   bool is_lit_by(const LitVertex& at, int light) const {
     return light >= 0 && gives_direct_light(world_.lights[static_cast<std::size_t>(light)]) &&
            at.allows(light);
@@ -183,6 +190,7 @@ class LightSampler {
   std::array<Set, kSets> sets_;
   EnvironmentLight environment_;
   MeshLights mesh_lights_;
+  Openings openings_;
 };
 
 template <class F>

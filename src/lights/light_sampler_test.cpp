@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "lights/portal_table.h"
@@ -19,6 +20,12 @@ LightValue white_light(const Call&, const LightCall&) { return {.colour = Rgb(1)
 void tilted_sky(const Call& call, void* result) {
   *static_cast<Rgba*>(result) = Rgba(1 + call.point.ray_direction.x);
 }
+/// A lamp toward +x.
+constexpr float kLampCosine = .95f;
+void lamp(const Call& call, void* result) {
+  *static_cast<Rgba*>(result) = Rgba(call.point.ray_direction.x > kLampCosine ? 100.0f : .1f);
+}
+const ShaderSpec kLamp{.name = "lamp", .library = "test", .value = lamp};
 const ShaderSpec kWhiteLight{.name = "white_light", .library = "test", .light = white_light};
 const ShaderSpec kTiltedSky{.name = "tilted_sky", .library = "test", .value = tilted_sky};
 
@@ -57,11 +64,11 @@ class Scene {
     const std::uint32_t count[] = {3};
     return {{{.primitive = 0, .power = 1}, {.primitive = 1, .power = 3}}, bounds, count};
   }
-  LightSampler sampler(MeshLights mesh_lights = {}) {
+  LightSampler sampler(MeshLights mesh_lights = {}, Openings openings = {}) {
     world.accel->commit();
     EnvironmentLight environment(world);
     open_portals(world, environment.table().detailed());
-    return LightSampler(world, std::move(environment), std::move(mesh_lights));
+    return LightSampler(world, std::move(environment), std::move(mesh_lights), std::move(openings));
   }
   LitVertex vertex() {
     ShadingPoint point;
@@ -164,13 +171,13 @@ TEST(LightSampler, OneSampleIsWeightedByTheExpectedSampleCount) {
 TEST(LightSampler, EnvironmentSamplesMatchTheirCountAndPdf) {
   Scene scene;
   LitVertex at = scene.vertex();
-  EXPECT_EQ(scene.sampler().environment_samples(true, false), 0) << "there is none";
+  EXPECT_EQ(scene.sampler().environment_samples(at, true, false), 0) << "there is none";
   scene.world.environment = {&scene.sky};
-  EXPECT_EQ(scene.sampler().environment_samples(true, false), 1);
+  EXPECT_EQ(scene.sampler().environment_samples(at, true, false), 1);
   scene.add_portal();
   const LightSampler sampler = scene.sampler();
-  EXPECT_EQ(sampler.environment_samples(false, false), 1);
-  at.environment_samples = sampler.environment_samples(true, false);
+  EXPECT_EQ(sampler.environment_samples(at, false, false), 1);
+  at.environment_samples = sampler.environment_samples(at, true, false);
   EXPECT_GT(at.environment_samples, 0);
   EXPECT_LT(at.environment_samples, 1);
   constexpr int kDraws = 40000;
@@ -192,9 +199,58 @@ TEST(LightSampler, EnvironmentSamplesMatchTheirCountAndPdf) {
     sampling::Sampler random(i, 1, 0);
     const auto s = sampler.sample_environment(at, random.next_2d(), false);
     if (!s) continue;
-    EXPECT_NEAR(sampler.find_environment(at.environment_samples, {.direction = s->wi}).pdf / s->pdf,
-                1, 1e-3);
+    EXPECT_NEAR(sampler.find_environment(&at, {.direction = s->wi}).pdf / s->pdf, 1, 1e-3);
   }
+}
+
+/// Draws samples of a sky with a square opening of half side 1 at distance 1 above the vertex.
+struct ThroughOpening {
+  double solid_angle = 0, irradiance = 0, radiance = 0;  ///< of the opening, and of all directions
+  explicit ThroughOpening(const ShaderNode& sky, const std::function<double(const Vec3&)>& value) {
+    Scene scene;
+    scene.world.environment = {&sky};
+    const LightSampler sampler = scene.sampler(
+        {}, Openings({{Vec3(-1, -1, 1), Vec3(2, 0, 0), Vec3(0, 2, 0), Vec3(0, 0, -1)}}));
+    LitVertex at = scene.vertex();
+    at.environment_samples = sampler.environment_samples(at, true, false);
+    EXPECT_EQ(at.environment_samples, 1);
+    constexpr int kDraws = 40000;
+    int other_cells = 0;
+    for (int i = 0; i < kDraws; ++i) {
+      sampling::Sampler random(i, 0, 0);
+      const auto s = sampler.sample_environment(at, random.next_2d(), false);
+      if (!s) {
+        ADD_FAILURE();
+        continue;
+      }
+      // Directions at the rim of a cell of the environment may be found in its neighbour.
+      const float found = sampler.find_environment(&at, {.direction = s->wi}).pdf;
+      if (std::abs(found / s->pdf - 1) > 1e-3f) ++other_cells;
+      const double weight = 1.0 / kDraws / static_cast<double>(s->pdf);
+      radiance += weight * value(s->wi);
+      if (std::max(std::abs(s->wi.x), std::abs(s->wi.y)) >= s->wi.z) continue;
+      solid_angle += weight;
+      irradiance += weight * value(s->wi);
+    }
+    EXPECT_LT(other_cells, kDraws / 1000);
+  }
+};
+
+TEST(LightSampler, EnvironmentSamplesThroughOpeningsMatchTheirPdf) {
+  const ShaderNode sky{kTiltedSky};
+  const ThroughOpening tilted(sky, [](const Vec3& d) { return 1.0 + d.x; });
+  // A square of half side a at distance a: 4 asin(1 / 2).
+  EXPECT_NEAR(tilted.solid_angle / (2 * M_PI / 3), 1, .01);
+  EXPECT_NEAR(tilted.irradiance / (2 * M_PI / 3), 1, .01) << "the tilt has no effect";
+  EXPECT_NEAR(tilted.radiance / tilted.irradiance, 1, 1e-6) << "only the opening is sampled";
+}
+
+TEST(LightSampler, LampsOutsideOfOpeningsAreSampled) {
+  const ShaderNode sky{kLamp};
+  const ThroughOpening lamp(sky, [](const Vec3& d) { return d.x > kLampCosine ? 100.0 : .1; });
+  EXPECT_NEAR(lamp.irradiance / (.1 * 2 * M_PI / 3), 1, .02);
+  const double cap = 2 * M_PI * (1 - static_cast<double>(kLampCosine));
+  EXPECT_NEAR(lamp.radiance / (100 * cap + .1 * (4 * M_PI - cap)), 1, .05);
 }
 
 TEST(LightSampler, TrianglesAreFoundWithTheirDensity) {

@@ -51,9 +51,7 @@ float solid_angle_of(float a, float b) {
 /// The rectangle seen from a point.
 struct Seen {
   float x0, x1, y0, y1, depth;
-  sampling::Window window() const {
-    return {Vec2(uv_of(x0, depth), uv_of(y0, depth)), Vec2(uv_of(x1, depth), uv_of(y1, depth))};
-  }
+  sampling::Window window() const { return PortalTable::window(x0, x1, y0, y1, depth); }
 };
 
 Seen seen_from(const Light& light, const Vec3& from) {
@@ -113,6 +111,10 @@ PortalTable::PortalTable(const NodeList& shaders, const World& world, RayKind lo
   for (std::size_t i = 0; i < rough.size(); ++i)
     uneven_ |= rough[i] > kUneven * mean_luminance_ * rough_angles[i];
   rough_ = std::make_unique<sampling::WindowedDistribution2D>(rough, kRoughSide, kRoughSide);
+}
+
+sampling::Window PortalTable::window(float x0, float x1, float y0, float y1, float depth) {
+  return {Vec2(uv_of(x0, depth), uv_of(y0, depth)), Vec2(uv_of(x1, depth), uv_of(y1, depth))};
 }
 
 PortalTable::Sample PortalTable::sample(Vec2 u, const sampling::Window& window) const {

@@ -42,6 +42,8 @@ class PortalTable {
     float pdf = 0;        ///< per solid angle
   };
   Sample sample(Vec2 u, const sampling::Window& window) const;
+  /// A rectangle at `depth` along z.
+  static sampling::Window window(float x0, float x1, float y0, float y1, float depth);
   /// Density of a unit direction, by x, y, z.
   float pdf(const Vec3& local, const sampling::Window& window) const;
   /// Mean luminance over the half sphere.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "lights/emission.h"
+#include "lights/find_openings.h"
 #include "lights/light_sampler.h"
 #include "lights/portal_table.h"
 #include "prepare/generated_geometry.h"
@@ -139,8 +140,10 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   if (!has_buffer_writers(*world)) world->user_buffers.clear();
   open_portals(*world, environment.table().detailed());
   const std::vector<EmissionKind> emissive = emissive_materials(*world);
-  world->light_sampler = std::make_shared<const LightSampler>(*world, std::move(environment),
-                                                              mesh_lights_of(*world, emissive));
+  Openings openings;
+  if (!options.coarse_tables) openings = find_openings(*world, environment);
+  world->light_sampler = std::make_shared<const LightSampler>(
+      *world, std::move(environment), mesh_lights_of(*world, emissive), std::move(openings));
   std::vector<scene::LightGroup> groups = options.light_groups;
   for (const scene::LightGroup& g : world->options.light_groups)
     if (std::none_of(groups.begin(), groups.end(), [&](auto& o) { return o.name == g.name; }))

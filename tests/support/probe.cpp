@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "lights/light_sampler.h"
 #include "mi/reader.h"
 #include "shaders/registry.h"
 
@@ -32,6 +33,12 @@ Probe::Probe(const std::string& text, const Registry& registry, const PrepareOpt
     world_ = prepare(scene_, scene_.renders.back(), registry, prepared, diagnostics, report);
   for (const Diagnostic& d : diagnostics.all()) ADD_FAILURE() << diagnostics.format(d);
   if (!world_) throw std::runtime_error("the scene cannot be rendered");
+}
+
+Probe& Probe::without_openings() {
+  world_->light_sampler =
+      std::make_shared<const LightSampler>(*world_, EnvironmentLight(*world_), MeshLights());
+  return *this;
 }
 
 Measured Probe::measure(int samples, const EyeRays& eye) const {

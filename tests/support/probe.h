@@ -52,6 +52,8 @@ class Probe {
     settings_.estimator = estimator;
     return *this;
   }
+  /// Paths find the windows of rooms by chance only. Also removes emissive surfaces from the lights.
+  Probe& without_openings();
   /// Whether emissive surfaces are sampled as lights.
   Probe& mesh_lights(bool on) {
     settings_.mesh_lights = on;

@@ -64,7 +64,7 @@ class GridPointVisitor final : public SurfaceVisitor {
       branch.from_.lights.environment_samples = 0;
       if (refracts) {
         std::construct_at(&branch.from_.lights, path.world_, point, alone);
-        branch.from_.lights.environment_samples = path.environment_samples(material);
+        branch.from_.lights.environment_samples = branch.environment_samples(material);
         branch.light_.throughput = Rgb(1 / static_cast<float>(rays));
         branch.take_direct(alone, only, point, true);
         branch.light_.throughput = Rgb(1);

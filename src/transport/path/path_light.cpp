@@ -191,8 +191,7 @@ void Path::meet_environment() {
   const bool weighed = from_.weighed && from_.lights.environment_samples > 0 && !own;
   LightSampler::EnvironmentFound seen;
   if (!own && (gathers || weighed))
-    seen =
-        world_.light_sampler->find_environment(weighed ? from_.lights.environment_samples : 0, ray);
+    seen = world_.light_sampler->find_environment(weighed ? &from_.lights : nullptr, ray);
   Rgb radiance = seen.radiance;
   if (own || !gathers || alpha_counts) {
     const Rgba c = environment_radiance(shaders, world_, ray);

@@ -114,7 +114,7 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint
 /// Expected number of samples of the environment at this vertex.
 float Path::environment_samples(const Material& material) const {
   if (!indirect() || !material.environment.empty()) return 0;
-  return world_.light_sampler->environment_samples(depth_.after_diffuse,
+  return world_.light_sampler->environment_samples(from_.lights, depth_.after_diffuse,
                                                    settings_.estimator == Estimator::LightOnly);
 }
 

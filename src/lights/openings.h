@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Openings of rooms, through which the environment is sampled where the scene has no portals.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lights/light_tree.h"
+#include "lights/portal_table.h"
+
+namespace oriel {
+
+/// A rectangle through which the environment lights a room.
+struct OpeningRectangle {
+  Vec3 corner{0}, edge_u{0}, edge_v{0};  ///< perpendicular edges, world
+  Vec3 inward{0, 0, 1};                  ///< unit normal on the side of the room
+  /// The environment behind it, with axes along the edges and against `inward`; null = even.
+  std::shared_ptr<const PortalTable> table = nullptr;
+};
+
+/// Densities of directions through rectangles. They only propose directions: the environment is
+/// seen through everything else as well, by samples of its own and by rays of lobes.
+///
+/// Model:   a rectangle in proportion to an estimate of its irradiance, then a direction through it
+///          as through a portal: by its table, or uniform in solid angle. The density of a
+///          direction is the sum over all rectangles.
+/// Checked: Openings.DensityMatchesTheSamples
+class Openings {
+ public:
+  Openings() = default;
+  explicit Openings(std::vector<OpeningRectangle> rectangles);
+
+  /// Maximum number of rectangles.
+  static constexpr std::size_t kMax = 16;
+  bool empty() const { return rectangles_.empty(); }
+  const std::vector<OpeningRectangle>& rectangles() const { return rectangles_; }
+
+  /// Whether some rectangle may light the point.
+  bool light(const LitPoint& lit) const;
+  struct Sample {
+    Vec3 wi{0, 0, 1};
+    float pdf = 0;  ///< per solid angle
+  };
+  /// Inputs:  u: uniform in [0,1)^2. Nothing if no rectangle lights the point.
+  std::optional<Sample> sample(const LitPoint& lit, Vec2 u) const;
+  float pdf(const LitPoint& lit, const Vec3& wi) const;
+
+ private:
+  struct Shares;
+  Shares shares_at(const LitPoint& lit) const;
+  float share(const OpeningRectangle& rectangle, const LitPoint& lit) const;
+  float pdf(const Shares& shares, const LitPoint& lit, const Vec3& wi) const;
+
+  std::vector<OpeningRectangle> rectangles_;
+};
+
+}  // namespace oriel
