@@ -93,8 +93,6 @@ struct PathRecord : PathResult {
   }
   Vec3& operator[](SurfaceValue value) { return surface_values[static_cast<std::size_t>(value)]; }
   bool has_layers() const { return requested.light_layers > 0; }
-  /// Whether light is recorded by its parts, not only in sum.
-  bool has_parts() const { return aovs || has_layers() || observer; }
 
   void add(PathObserver::Place place, const LightPart& part, std::size_t layer, const Rgb& light) {
     radiance += light;

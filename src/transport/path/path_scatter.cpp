@@ -195,13 +195,6 @@ void Path::take_direct(const Closure& closure, const LobeChoice& choice, Shading
                     .beside = beside_lit_surfaces(point)},
                    sampler_, counts_, shares ? &*shares : nullptr);
   const Rgb indirect = indirect_factor() * closure.indirect_scale;
-  if (!record_->has_parts()) {
-    Rgb all = sum.diffuse + sum.translucency +
-              (sum.environment_translucency + sum.environment * light_.occlusion) * indirect;
-    if (!caustics_are_mapped()) all += sum.specular + sum.reflection + sum.refraction;
-    record_->radiance += light_.throughput * all;
-    return;
-  }
   const auto bring_all = [&](const DirectLight& light, std::size_t layer) {
     const auto bring = [&](Aov c, const Rgb& radiance) {
       if (!is_black(radiance)) add(aov_.at_vertex(c), light_.throughput * radiance, layer);
