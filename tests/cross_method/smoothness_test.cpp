@@ -82,7 +82,7 @@ double row(const std::string& options, const Measured& paths) {
 // Two claims in one test: they share the reference, which takes most of the time.
 TEST(FinalGather, LeavesNoSplotchesAndComesNearerToThePathsWithRaysAndDensity) {
   const Measured paths = paths_through_portal();
-  // .028 to .031 are seen, by how a machine's compiler contracts sums.
+  // .026 to .029 are seen, by how a machine's compiler contracts sums.
   const double fine = row("", paths);
   EXPECT_LE(fine, .033);
   const auto error = [&](int rays, float density) {
@@ -93,7 +93,7 @@ TEST(FinalGather, LeavesNoSplotchesAndComesNearerToThePathsWithRaysAndDensity) {
   // The default is 400 rays and a density of 1.
   const double coarse = error(50, .1f), usual = error(200, .25f);
   EXPECT_LT(usual, .75 * coarse);
-  EXPECT_LT(fine, .6 * usual);
+  EXPECT_LT(fine, .7 * usual);
   if (!figures_wanted()) return;
   for (const int rays : {25, 50, 100, 200, 400, 800, 1600}) error(rays, 1);
   for (const float density : {.06f, .25f, 1.f, 4.f}) error(400, density);

@@ -16,9 +16,12 @@ namespace {
 
 /// The survival probability of Russian roulette is this power of the throughput. The throughput
 /// itself terminates too many of the paths that light dark corners. Of 1, 1/2, 1/3, 1/5 and 1/10,
-/// after 3 vertices, 1/3 had the smallest product of relative squared error and instructions in
-/// rooms: .77 of that of 1 (bench/cycles).
+/// 1/3 had the smallest product of relative squared error and instructions in rooms: .77 of that of
+/// 1 (bench/cycles).
 constexpr float kRoulettePower = 1.0f / 3;
+/// The path splits if two lobes have at least this share of the reflected light: choosing one of
+/// them would add noise to the other. A guess; .1 to .3 differ little.
+constexpr float kShareOfOwnRay = 0.2f;
 /// Spread that a glossy bounce adds to the ray cone, per unit of roughness (radians). An estimate
 /// that filters textures less than the lobe would.
 constexpr float kSpreadPerRoughness = 0.5f;
@@ -124,15 +127,18 @@ int Path::rays_at_first(float samples, float importance) const {
   return std::max(1, static_cast<int>(std::ceil(wanted - 1e-3f)));
 }
 
-/// Whether the path splits: at the first surface, if one lobe needs more than one ray, each lobe
-/// gets its own rays.
+/// Whether the path splits at the first surface into rays of each lobe: if one lobe needs more than
+/// one ray, or if two lobes have a large share. Diffuse lobes with less than one ray are chosen.
 bool Path::split(const Closure& closure, LobeChoice& choice) const {
   if (!at_eye_surface() || !choice.any) return false;
   float rays[Closure::kMaxLobes] = {};
+  int large = 0;
   bool splits = false;
   for (int i = 0; i < closure.count; ++i) {
     if (choice.rays[i] <= 0) continue;
     const Lobe& lobe = closure.lobes[i];
+    const bool fewer = lobe.kind == LobeKind::Diffuse && lobe.controls.samples < 1;
+    if (choice.rays[i] >= kShareOfOwnRay && !fewer) ++large;
     int n = 1;
     if (lobe.kind == LobeKind::Diffuse)
       n = std::max(1, static_cast<int>(std::lround(lobe.controls.samples)));  // for every path
@@ -141,6 +147,7 @@ bool Path::split(const Closure& closure, LobeChoice& choice) const {
     rays[i] = static_cast<float>(n);
     splits |= n > 1;
   }
+  splits |= large > 1;
   if (splits) std::copy(std::begin(rays), std::end(rays), std::begin(choice.rays));
   return splits;
 }

@@ -23,7 +23,7 @@ namespace oriel {
 /// detail.
 inline constexpr float kDiffuseSpread = 0.2f;
 /// Number of diffuse and glossy vertices before Russian roulette.
-inline constexpr int kRouletteDepth = 3;
+inline constexpr int kRouletteDepth = 4;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 class Path;

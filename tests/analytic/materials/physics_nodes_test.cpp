@@ -18,13 +18,19 @@ Measured seen(const SceneText& scene, float degrees = 0, int samples = 16384) {
   return Probe(scene).onto(Vec3(0), kUp, degrees, samples);
 }
 
+/// Tables of albedos of glossy lobes are within a thousandth.
+void expect_exact_but_for_tables(const std::string& name, const Measured& m, const Rgb& exact) {
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(m.mean[k], exact[k], 1e-3f * exact[k] + 4 * m.error[k]) << name << " channel " << k;
+}
+
 TEST(Physics, DgsAddsItsThreeParts) {
   // In a white room each part contributes its colour.
   for (const char* shader : {"dgs_material", "path_material"}) {
     const std::string call = fmt::format(
         "\"{}\" ( \"diffuse\" .1 .2 .3, \"glossy\" .3 .2 .1, \"specular\" .2 .2 .2, \"shiny\" 20 )",
         shader);
-    expect_exact(call, seen(plate(call).uniform_sky(1)), Rgb(.6f, .6f, .6f), .01f);
+    expect_exact_but_for_tables(call, seen(plate(call).uniform_sky(1)), Rgb(.6f, .6f, .6f));
   }
 }
 
@@ -95,7 +101,7 @@ TEST(GlossyNodes, ReflectionIsBlendedByTheAngle) {
   for (const char* more : {"", ", \"samples\" 0", ", \"u_spread\" .4, \"v_spread\" .4"})
     for (const float degrees : {0.f, 50.f}) {
       const float k = .2f + .6f * std::pow(1 - std::cos(degrees * kPi / 180), 3.0f);
-      expect_exact(more, at(degrees, more), (1 - k) * .5f + k, .01f);
+      expect_exact_but_for_tables(more, at(degrees, more), Rgb((1 - k) * .5f + k));
     }
 }
 

@@ -138,7 +138,7 @@ TEST(GatherQuality, IsRawWithoutAWeightElseTheProductButOne) {
     EXPECT_EQ(m.each(m.counts.gather), c.rays) << c.quality << ' ' << c.weight;
     EXPECT_NEAR(m.mean.x, .5f, .002f);
   }
-  // Below 1 and raw: a smaller share of paths, beside another lobe.
+  // Beside another lobe a ray of its own; below 1 and raw, a smaller share of paths.
   const auto share = [](float quality) {
     SceneText scene;
     scene.uniform_sky(1)
@@ -151,7 +151,7 @@ TEST(GatherQuality, IsRawWithoutAWeightElseTheProductButOne) {
     expect_exact(fmt::format("card of quality {}", quality), m, 1, .02f);
     return m.each(m.counts.gather);
   };
-  EXPECT_NEAR(share(1), .5, .01);
+  EXPECT_EQ(share(1), 1);
   EXPECT_NEAR(share(.25f), .2, .01);
 }
 
