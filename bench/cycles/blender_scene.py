@@ -103,6 +103,20 @@ def shining(name, light, direction, origin=(0, 0, 0)):
     add(name, light, axes(x, z.cross(x), z, up(origin)))
 
 
+def divide_by_cosine(spot):
+    """Cycles multiplies the intensity of a spot by the cosine to its axis; this undoes it."""
+    spot.use_nodes = True
+    tree = spot.node_tree
+    normal, axes_of, size, inverse = (tree.nodes.new("ShaderNode" + kind) for kind in (
+        "TexCoord", "SeparateXYZ", "Math", "Math"))
+    size.operation, inverse.operation = "ABSOLUTE", "DIVIDE"
+    inverse.inputs[0].default_value = 1
+    tree.links.new(normal.outputs["Normal"], axes_of.inputs[0])
+    tree.links.new(axes_of.outputs["Z"], size.inputs[0])
+    tree.links.new(size.outputs[0], inverse.inputs[1])
+    tree.links.new(inverse.outputs[0], tree.nodes["Emission"].inputs["Strength"])
+
+
 def add_light(name, l, profile):
     """Lights of Cycles divide their power by 4 pi to get an intensity."""
     if l["kind"] == "sun":
@@ -114,6 +128,7 @@ def add_light(name, l, profile):
         spot = bpy.data.lights.new(name, "SPOT")
         spot.spot_size, spot.spot_blend = 2 * math.radians(l["half_angle"]), 0
         spot.energy, spot.shadow_soft_size = 4 * math.pi * l["intensity"], 0
+        divide_by_cosine(spot)
         shining(name, spot, l["direction"], l["centre"])
         return
     if l["kind"] == "profile":

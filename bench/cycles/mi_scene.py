@@ -189,7 +189,10 @@ def write(scene, path, probe, profile):
         if "profile" in scene:
             f.write(f'lightprofile "profile" format ies file "{profile}" hermite 3 end lightprofile\n')
         for name, m in scene["materials"].items():
-            f.write(f'material "{name}" "mia_material_x" ( {material(m)} ) end material\n')
+            # A material without shadow shader has opaque shadows, and paths refract light in it.
+            shadow = f'shadow = "{name}_s" ' if m.get("straight") else ""
+            f.write(f'shader "{name}_s" "mia_material_x" ( {material(m)} )\n'
+                    f'material "{name}" = "{name}_s" {shadow}end material\n')
         members = []
         for i, m in enumerate(scene["meshes"]):
             mesh(f, f"mesh{i}", m)
