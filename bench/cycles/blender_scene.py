@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Renders a scene of scenes.py with Cycles; to be run inside Blender:
+"""Renders a scene of catalogue.py with Cycles; to be run inside Blender:
 
-    blender -b --factory-startup --python blender_scene.py -- SCENE PROBE SAMPLES SEED THREADS OUT.exr
+    blender -b --factory-startup --python blender_scene.py -- SETTINGS.json
 
-Prints the seconds of processor time the picture took, without what comes before it.
+Prints one line of JSON: processor and wall-clock time of the picture, and of the start before it.
 """
+import json
 import math
 import os
 import sys
@@ -14,12 +15,34 @@ import bpy
 import mathutils
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import scenes  # noqa: E402  beside this file
+import catalogue  # noqa: E402  beside this file
+import scenes  # noqa: E402
+
+
+LUMENS_PER_WATT = 177.83  # by which Cycles divides the candela of a profile (util/ies.cpp)
 
 
 def up(v):
     """From y up to Blender's z up."""
     return mathutils.Vector((v[0], -v[2], v[1]))
+
+
+def transparent_shadows(tree, node, glass, ior):
+    """Glass that shadow rays, and all rays behind a diffuse bounce, pass without refraction."""
+    path, either = node("ShaderNodeLightPath"), node("ShaderNodeMath")
+    either.operation = "MAXIMUM"
+    tree.links.new(path.outputs["Is Shadow Ray"], either.inputs[0])
+    tree.links.new(path.outputs["Diffuse Depth"], either.inputs[1])
+    thin, choice = node("ShaderNodeMixShader"), node("ShaderNodeMixShader")
+    mirror = node("ShaderNodeBsdfGlossy", (1, 1, 1), Roughness=0)
+    mirror.distribution = "SHARP"
+    tree.links.new(node("ShaderNodeFresnel", IOR=ior).outputs[0], thin.inputs[0])
+    tree.links.new(node("ShaderNodeBsdfTransparent", (1, 1, 1)).outputs[0], thin.inputs[1])
+    tree.links.new(mirror.outputs[0], thin.inputs[2])
+    tree.links.new(either.outputs[0], choice.inputs[0])
+    tree.links.new(glass.outputs[0], choice.inputs[1])
+    tree.links.new(thin.outputs[0], choice.inputs[2])
+    return choice
 
 
 def node_material(name, m):
@@ -43,6 +66,11 @@ def node_material(name, m):
         surface.distribution = "MULTI_GGX"
     elif m["kind"] == "glass":
         surface = node("ShaderNodeBsdfGlass", (1, 1, 1), Roughness=0, IOR=m["ior"])
+        surface.distribution = "SHARP"
+        if m["straight"]:
+            surface = transparent_shadows(tree, node, surface, m["ior"])
+    elif m["kind"] == "mirror":
+        surface = node("ShaderNodeBsdfGlossy", m["colour"], Roughness=0)
         surface.distribution = "SHARP"
     else:
         coat = node("ShaderNodeBsdfGlossy", (1, 1, 1), Roughness=m["roughness"])
@@ -69,13 +97,47 @@ def axes(x, y, z, origin):
     return mathutils.Matrix(rows).transposed()
 
 
-def add_light(name, l):
+def shining(name, light, direction, origin=(0, 0, 0)):
+    z = -up(direction).normalized()
+    x = z.orthogonal().normalized()
+    add(name, light, axes(x, z.cross(x), z, up(origin)))
+
+
+def divide_by_cosine(spot):
+    """Cycles multiplies the intensity of a spot by the cosine to its axis; this undoes it."""
+    spot.use_nodes = True
+    tree = spot.node_tree
+    normal, axes_of, size, inverse = (tree.nodes.new("ShaderNode" + kind) for kind in (
+        "TexCoord", "SeparateXYZ", "Math", "Math"))
+    size.operation, inverse.operation = "ABSOLUTE", "DIVIDE"
+    inverse.inputs[0].default_value = 1
+    tree.links.new(normal.outputs["Normal"], axes_of.inputs[0])
+    tree.links.new(axes_of.outputs["Z"], size.inputs[0])
+    tree.links.new(size.outputs[0], inverse.inputs[1])
+    tree.links.new(inverse.outputs[0], tree.nodes["Emission"].inputs["Strength"])
+
+
+def add_light(name, l, profile):
+    """Lights of Cycles divide their power by 4 pi to get an intensity."""
     if l["kind"] == "sun":
         sun = bpy.data.lights.new(name, "SUN")
         sun.energy, sun.angle = math.pi * l["albedo_one"], 0
-        z = -up(l["direction"]).normalized()
-        x = z.orthogonal().normalized()
-        add(name, sun, axes(x, z.cross(x), z, (0, 0, 0)))
+        shining(name, sun, l["direction"])
+        return
+    if l["kind"] == "spot":
+        spot = bpy.data.lights.new(name, "SPOT")
+        spot.spot_size, spot.spot_blend = 2 * math.radians(l["half_angle"]), 0
+        spot.energy, spot.shadow_soft_size = 4 * math.pi * l["intensity"], 0
+        divide_by_cosine(spot)
+        shining(name, spot, l["direction"], l["centre"])
+        return
+    if l["kind"] == "profile":
+        point = bpy.data.lights.new(name, "POINT")
+        point.energy, point.shadow_soft_size, point.use_nodes = l["factor"] * LUMENS_PER_WATT, 0, True
+        ies = point.node_tree.nodes.new("ShaderNodeTexIES")
+        ies.mode, ies.filepath = "EXTERNAL", profile
+        point.node_tree.links.new(ies.outputs[0], point.node_tree.nodes["Emission"].inputs["Strength"])
+        add(name, point, mathutils.Matrix.Translation(up(l["centre"])))
         return
     lamp = bpy.data.lights.new(name, "AREA")
     lamp.shape = "RECTANGLE"
@@ -91,14 +153,24 @@ def add_light(name, l):
     place.visible_camera = True
 
 
-def build(scene, probe):
+def add_sun(colour, to_sun):
+    """With the irradiance pi times `colour`, and the angle of src/sky/physical_sky.h."""
+    sun = bpy.data.lights.new("sun", "SUN")
+    sun.energy, sun.angle = math.pi * max(colour), 2 * .00465
+    sun.color = [c / max(colour) for c in colour]
+    shining("sun", sun, [-v for v in to_sun])
+
+
+def build(scene, probe, profile, sun_colour):
     world = bpy.data.worlds.new("world")
     bpy.context.scene.world = world
     world.use_nodes = True
     background = world.node_tree.nodes["Background"]
     background.inputs["Color"].default_value = (1, 1, 1, 1)
     background.inputs["Strength"].default_value = scene["background"]
-    if scene.get("probe"):
+    if sun_colour:
+        add_sun(sun_colour, scene["sky"]["to_sun"])
+    if scene.get("probe") or scene.get("sky"):
         picture = world.node_tree.nodes.new("ShaderNodeTexEnvironment")
         picture.image = bpy.data.images.load(probe)
         world.node_tree.links.new(picture.outputs[0], background.inputs["Color"])
@@ -111,7 +183,7 @@ def build(scene, probe):
             data.polygons.foreach_set("use_smooth", [True] * len(m["faces"]))
         add(f"mesh{i}", data)
     for i, l in enumerate(scene["lights"]):
-        add_light(f"light{i}", l)
+        add_light(f"light{i}", l, profile)
     c = scene["camera"]
     lens = bpy.data.cameras.new("camera")
     lens.sensor_fit, lens.clip_start, lens.clip_end = "HORIZONTAL", 1e-3, 1e4
@@ -121,7 +193,7 @@ def build(scene, probe):
     bpy.context.scene.camera = add("camera", lens, axes(x, z.cross(x), z, up(c["position"])))
 
 
-def settings(scene, samples, seed, threads):
+def settings(scene, samples, seed, threads, noise):
     render = bpy.context.scene.render
     render.engine = "CYCLES"
     render.resolution_x, render.resolution_y = scenes.WIDTH, scenes.HEIGHT
@@ -135,7 +207,10 @@ def settings(scene, samples, seed, threads):
     cycles = bpy.context.scene.cycles
     cycles.device = "CPU"
     cycles.samples, cycles.seed = samples, seed
-    cycles.use_adaptive_sampling = cycles.use_denoising = False
+    cycles.use_denoising = False
+    cycles.use_adaptive_sampling = noise > 0
+    if noise > 0:
+        cycles.adaptive_threshold = noise
     cycles.pixel_filter_type = "BOX"
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.blur_glossy = 0
     cycles.caustics_reflective = cycles.caustics_refractive = True
@@ -145,18 +220,23 @@ def settings(scene, samples, seed, threads):
 
 
 def main():
-    name, probe, samples, seed, threads, out = sys.argv[sys.argv.index("--") + 1:]
+    with open(sys.argv[sys.argv.index("--") + 1], encoding="utf-8") as f:
+        a = json.load(f)
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    scene = scenes.SCENES[name]()
-    build(scene, probe)
-    settings(scene, 1, int(seed), int(threads))
-    # What is prepared once is not the question: a first picture leaves it there.
+    scene = catalogue.SCENES[a["scene"]]()
+    build(scene, a["probe"], a["profile"], a["sun"])
+    settings(scene, 1, a["seed"], a["threads"], 0)
+    # A first picture of one sample loads the scene, which stays for the second picture.
+    result = {"start": -time.process_time()}
     bpy.ops.render.render()
-    bpy.context.scene.cycles.samples = int(samples)
-    bpy.context.scene.render.filepath = out
-    begin = time.process_time()
+    result["start"] += time.process_time()
+    result["first"] = time.time() - a["begin"]
+    settings(scene, a["samples"], a["seed"], a["threads"], a["noise"])
+    bpy.context.scene.render.filepath = a["out"]
+    begin, wall = time.process_time(), time.time()
     bpy.ops.render.render(write_still=True)
-    print(f"seconds {time.process_time() - begin:.3f}")
+    result["seconds"], result["wall"] = time.process_time() - begin, time.time() - wall
+    print(json.dumps({"result": result}))
 
 
 main()

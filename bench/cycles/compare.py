@@ -1,118 +1,176 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Oriel and Blender's Cycles on the same scenes: are the pictures the same, who is sooner as good?
+"""Compares Oriel with Blender's Cycles on the scenes of catalogue.py.
 
     bench/cycles/compare.py --oriel build/release/bin/oriel --probe STUDIO.hdr [SCENE ...]
 
-Needs Debian's `blender` and `python3-openimageio`. Both path trace without denoiser, clamping or
-adaptive sampling, on one thread, with the same film, bounces, lights and portals. Times are of the
-processor, without what is prepared before the first sample: of Oriel the difference of two runs
-with other numbers of samples. Each error is against the renderer's own converged picture, the mean
-of (difference / (reference + a hundredth of its mean)) squared, without the thousandth of the pixels
-where it is largest, whose luck would decide. Error times time stays the same with more samples; its
-ratio tells how many times sooner one is as good as the other. The two converged pictures are
-compared by means and by blocks of 8 x 8 pixels.
+Requires Debian's `blender`, `python3-numpy` and `python3-openimageio`. Both programs render without
+denoiser and clamping, with the same film, bounces, lights and portals.
+
+Times are processor times of one thread from the start of rendering. They include passes before the
+picture (photons, gather points, caches, guiding), and exclude reading, tables of lights and
+acceleration structures. For Oriel, the excluded part is the time of one path in one pixel; for
+Cycles, the time is that of the second picture of a process, whose scene stays loaded.
+
+Errors are the mean of (difference / (reference + a hundredth of its mean)) squared, without the
+thousandth of the pixels where it is largest. The reference of each program is its own converged
+path-traced picture, for every method, so that bias counts. Path tracing reaches an error e after
+seconds x error / e. For methods with bias, the error is split by two numbers of samples into a
+constant part and a part that decreases with the samples; "never" means that the constant part
+exceeds the error.
+
+Lines of a scene: agreement of the two references; then for each method of Oriel, and for Cycles:
+error, seconds, mean and block bias, seconds to the errors .01 and .001, the ratio of times to equal
+error, wall-clock seconds with all threads, peak memory, wall-clock seconds from the start of the
+program to its first picture (one sample per pixel), seconds before rendering.
 """
 import argparse
+import json
 import os
 import statistics
-import subprocess
 import sys
 import tempfile
-
-import numpy
-import OpenImageIO as oiio
+import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
-import mi_scene  # noqa: E402  beside this file
-import scenes  # noqa: E402
+import catalogue  # noqa: E402  beside this file
+import measure  # noqa: E402
+import mi_scene  # noqa: E402
 
-LEFT_OUT = .001  # of the pixels
-
-
-def picture(path):
-    return oiio.ImageBuf(path).get_pixels(oiio.FLOAT)[..., :3].astype(numpy.float64)
-
-
-def error(image, reference):
-    squares = ((image - reference) / (reference + .01 * reference.mean())) ** 2
-    squares = numpy.sort(squares.mean(axis=2).ravel())
-    return squares[:int(len(squares) * (1 - LEFT_OUT))].mean()
-
-
-def blocks(image):
-    h, w = (n // 8 * 8 for n in image.shape[:2])
-    return image[:h, :w].reshape(h // 8, 8, w // 8, 8, 3).mean(axis=(1, 3))
-
-
-def processor_time(command):
-    before = os.times()
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-    after = os.times()
-    return (after.children_user - before.children_user
-            + after.children_system - before.children_system)
+TARGETS = (1e-2, 1e-3)
 
 
 class Oriel:
-    name = "Oriel"
+    def __init__(self, args, name, folder):
+        self.program, self.noise = args.oriel, args.adaptive
+        self.file, self.out = (os.path.join(folder, f) for f in (name + ".mi", "oriel.exr"))
+        self.probe, self.profile, self.sun = args.probe, os.path.join(folder, "profile.ies"), None
+        scene = catalogue.SCENES[name]()
+        if "profile" in scene:
+            mi_scene.write_profile(self.profile, scene["profile"])
+        if "sky" in scene:
+            self.probe, self.sun = self.measure_sky(scene["sky"], folder)
+        mi_scene.write(scene, self.file, self.probe, self.profile)
 
-    def __init__(self, args, scene_name, folder):
-        self.program, self.folder = args.oriel, folder
-        self.file = os.path.join(folder, scene_name + ".mi")
-        mi_scene.write(scenes.SCENES[scene_name](), self.file, args.probe, "unused.exr")
+    def measure_sky(self, sky, folder):
+        """The physical sky as a picture for Cycles, and the colour that its sun gives to white."""
+        pictures = []
+        for name, write, samples in (("sky", mi_scene.write_sky, 16), ("sun", mi_scene.write_sunlit, 64)):
+            path = os.path.join(folder, name)
+            write(sky, path + ".mi")
+            measure.run([self.program, "render", path + ".mi", "-q", "-o", path + ".exr",
+                         "--exr", "float", "--samples", str(samples)])
+            pictures.append(path + ".exr")
+        return pictures[0], list(measure.picture(pictures[1]).mean(axis=(0, 1)))
 
-    def render(self, samples, seed, threads=1):
-        out = os.path.join(self.folder, "oriel.exr")
-        command = [self.program, "render", self.file, "-q", "-o", out, "--seed", str(seed),
-                   "--threads", str(threads), "--samples"]
-        first = processor_time([*command, "1"]) if threads == 1 else 0
-        seconds = processor_time([*command, str(samples)]) - first
-        return seconds * samples / (samples - 1), picture(out)
+    def command(self, samples, seed, threads, *more):
+        return [self.program, "render", self.file, "--json", "-o", self.out, "--exr", "float",
+                "--seed", str(seed), "--threads", str(threads), "--samples", str(samples), *more]
+
+    def start(self, threads):
+        return measure.run(self.command(1, 1, threads, "--crop", "0,0,0,0", "--gi", "path"))
+
+    def render(self, samples, seed, threads=1, method="path", adaptive=True):
+        before = self.start(threads)
+        noise = ["--noise", str(self.noise)] if self.noise and adaptive else []
+        run = measure.run(self.command(samples, seed, threads, "--gi", method, *noise))
+        first = [e["elapsed"] for e in run["events"]
+                 if e["event"] == "progress" and e["stage"] == "picture" and e["samples"] >= 1]
+        return {"seconds": run["seconds"] - before["seconds"], "wall": run["wall"] - before["wall"],
+                "start": before["seconds"], "memory": run["memory"],
+                "first": first[0] if first else run["wall"], "picture": measure.picture(self.out)}
 
 
 class Cycles:
-    name = "Cycles"
+    def __init__(self, args, name, folder, oriel):
+        self.noise, self.out = args.adaptive, os.path.join(folder, "cycles.exr")
+        self.file = os.path.join(folder, "cycles.json")
+        self.fixed = {"scene": name, "probe": oriel.probe, "profile": oriel.profile,
+                      "sun": oriel.sun, "out": self.out}
 
-    def __init__(self, args, scene_name, folder):
-        self.scene, self.probe, self.folder = scene_name, args.probe, folder
+    def render(self, samples, seed, threads=1, method="path", adaptive=True):
+        del method
+        noise = self.noise if adaptive and self.noise else 0
+        with open(self.file, "w", encoding="utf-8") as f:
+            json.dump({**self.fixed, "samples": samples, "seed": seed, "threads": threads,
+                       "noise": noise, "begin": time.time()}, f)
+        run = measure.run(["blender", "-b", "--factory-startup", "--python",
+                           os.path.join(HERE, "blender_scene.py"), "--", self.file])
+        result = [e["result"] for e in run["events"] if "result" in e]
+        if not result:
+            raise SystemExit(run["text"][-3000:])
+        return {**result[0], "memory": run["memory"], "picture": measure.picture(self.out)}
 
-    def render(self, samples, seed, threads=1):
-        out = os.path.join(self.folder, "cycles.exr")
-        result = subprocess.run(
-            ["blender", "-b", "--factory-startup", "--python",
-             os.path.join(HERE, "blender_scene.py"), "--", self.scene, self.probe, str(samples),
-             str(seed), str(threads), out], check=True, capture_output=True, text=True)
-        seconds = [line for line in result.stdout.splitlines() if line.startswith("seconds ")]
-        if not seconds:
-            raise SystemExit(result.stdout[-2000:] + result.stderr[-2000:])
-        return float(seconds[0].split()[1]), picture(out)
+
+def reference(renderer, args, name, program):
+    """The converged picture; kept in a folder if there is one."""
+    path = os.path.join(args.keep, f"{name}_{program}_{args.reference}.exr") if args.keep else None
+    if path and os.path.exists(path):
+        return measure.picture(path)
+    image = renderer.render(args.reference, 1, threads=0, adaptive=False)["picture"]
+    if path:
+        measure.save(image, path)
+    return image
+
+
+def times_to(targets, low, high):
+    """Seconds to the errors, from (seconds, error) of n and 4 n samples: error = bias + noise / n."""
+    (t0, e0), (t1, e1) = low, high
+    if (t1, e1) == (t0, e0):
+        return [t0 * e0 / e for e in targets]
+    noise = max(e0 - e1, 0) / .75
+    bias, each = max(e0 - noise, 0), max(t1 - t0, 0) / 3
+    passes = max(t0 - each, 0)
+    return [passes + each * noise / (e - bias) if e > bias else None for e in targets]
+
+
+def figures(renderer, args, image, method):
+    """Medians of the turns of one method."""
+    runs = [renderer.render(args.samples, 100 + k, method=method) for k in range(args.turns)]
+    errors = [measure.error(r["picture"], image) for r in runs]
+    median = {k: statistics.median(r[k] for r in runs) for k in ("seconds", "memory", "first", "start")}
+    low = high = (median["seconds"], statistics.median(errors))
+    if method != "path":
+        more = renderer.render(4 * args.samples, 200, method=method, adaptive=False)
+        high = (more["seconds"], measure.error(more["picture"], image))
+    pictures = [r["picture"] for r in runs]
+    mean = sum(p.mean() for p in pictures) / len(pictures) / image.mean() - 1
+    blocks = measure.block_bias(pictures, image) if len(pictures) > 1 else float("nan")
+    wall = renderer.render(args.samples, 300, threads=0, method=method)["wall"] if args.wall else 0
+    return {**median, "error": low[1], "mean": mean, "blocks": blocks, "wall": wall,
+            "to": times_to(TARGETS, low, high),
+            "costs": [e * r["seconds"] for e, r in zip(errors, runs)]}
+
+
+def text(f, ratio):
+    to = [f"{t:.1f}" if t is not None else "never" for t in f["to"]]
+    return (f"{f['error']:.4f} | {f['seconds']:.2f} | {100 * f['mean']:+.2f} % | "
+            f"{100 * f['blocks']:.2f} % | {to[0]} | {to[1]} | {ratio} | {f['wall']:.2f} | "
+            f"{f['memory']:.0f} | {f['first']:.2f} | {f['start']:.2f} |")
 
 
 def compare(name, args, folder):
-    both = [kind(args, name, folder) for kind in (Oriel, Cycles)]
-    reference = [r.render(args.reference, 1, threads=0)[1] for r in both]
-    costs, errors, times = ([[], []] for _ in range(3))
-    for turn in range(args.turns):
-        for i, renderer in enumerate(both):
-            seconds, image = renderer.render(args.samples, 100 + turn)
-            e = error(image, reference[i])
-            costs[i].append(e * seconds)
-            errors[i].append(e)
-            times[i].append(seconds)
-    means = [r.mean() for r in reference]
-    small = [blocks(r) for r in reference]
-    off = numpy.abs(small[0] - small[1]).mean() / small[1].mean()
-    sooner = [c / o for o, c in zip(*costs)]
-    print(f"{name:9} means {means[0] / means[1]:.4f}, blocks {off:.4f}; "
-          + "; ".join(f"{r.name} error {statistics.median(errors[i]):.4f} in "
-                      f"{statistics.median(times[i]):.2f} s" for i, r in enumerate(both))
-          + f"; Oriel {statistics.median(sooner):.2f} times sooner "
-          f"({min(sooner):.2f} to {max(sooner):.2f})", flush=True)
+    oriel = Oriel(args, name, folder)
+    cycles = Cycles(args, name, folder, oriel)
+    images = [reference(oriel, args, name, "oriel"), reference(cycles, args, name, "cycles")]
+    means, blocks = measure.difference(*images)
+    print(f"{name}: Oriel / Cycles means {means:.4f}, blocks {blocks:.4f}", flush=True)
     if args.keep:
-        for renderer, image in zip(both, reference):
-            kept = oiio.ImageBuf(image.astype(numpy.float32))
-            kept.write(os.path.join(args.keep, f"{name}_{renderer.name}.exr"))
+        measure.preview(images, os.path.join(args.keep, name + ".png"))
+    if args.turns == 0:
+        return
+    theirs = figures(cycles, args, images[1], "path")
+    print(f"| {name} | Cycles | " + text(theirs, "1"), flush=True)
+    for method in args.methods.split(","):
+        ours = figures(oriel, args, images[0], method)
+        if method == "path":
+            ratios = [c / o for c, o in zip(theirs["costs"], ours["costs"])]
+            ratio = f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
+        else:
+            pairs = zip(theirs["to"], ours["to"])
+            ratio = ", ".join(f"{c / o:.2f}" if o else "none" for c, o in pairs)
+        print(f"| {name} | {method} | " + text(ours, ratio), flush=True)
 
 
 def main():
@@ -121,13 +179,20 @@ def main():
     parser.add_argument("--probe", required=True, help="a latitude-longitude picture")
     parser.add_argument("--samples", type=int, default=32)
     parser.add_argument("--reference", type=int, default=4096, help="samples of converged pictures")
-    parser.add_argument("--turns", type=int, default=5)
-    parser.add_argument("--keep", help="folder for the converged pictures")
-    parser.add_argument("scenes", nargs="*", choices=[[], *scenes.SCENES], metavar="SCENE")
+    parser.add_argument("--turns", type=int, default=5, help="0: only the agreement")
+    parser.add_argument("--methods", default="path", help="of Oriel, such as path,path+cache,fg")
+    parser.add_argument("--adaptive", type=float, default=0,
+                        help="noise threshold of adaptive sampling in both; --samples is the maximum")
+    parser.add_argument("--wall", action="store_true", help="also time one run with all threads")
+    parser.add_argument("--keep", help="folder for converged pictures, which are used again")
+    parser.add_argument("scenes", nargs="*", metavar="SCENE")
     args = parser.parse_args()
+    unknown = [s for s in args.scenes if s not in catalogue.SCENES]
+    if unknown:
+        parser.error(f"unknown scenes {unknown}; there are {list(catalogue.SCENES)}")
     args.oriel, args.probe = os.path.abspath(args.oriel), os.path.abspath(args.probe)
     with tempfile.TemporaryDirectory() as folder:
-        for name in args.scenes or scenes.SCENES:
+        for name in args.scenes or catalogue.SCENES:
             compare(name, args, folder)
 
 

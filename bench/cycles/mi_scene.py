@@ -9,6 +9,7 @@ OPTIONS = '''options "opt"
   filter box 1 1
   trace on
   trace depth {n} {n} {n}
+  caustic {caustic}
   "indirect" "path"
 end options
 '''
@@ -42,7 +43,7 @@ def world_to(x, y, z, origin):
 
 
 def gloss(roughness):
-    """Of the GGX lobe with alpha = roughness squared; src/bsdf/gloss.h has the way back."""
+    """Glossiness of the GGX lobe with alpha = roughness squared; inverse of src/bsdf/gloss.h."""
     return (-2 * math.log2(roughness) - 1.5) / 7
 
 
@@ -51,17 +52,21 @@ def material(m):
     if m["kind"] == "diffuse":
         p["diffuse"] = m["diffuse"]
     elif m["kind"] in ("metal", "plastic"):
-        p.update({"reflectivity": 1.0, "refl_gloss": gloss(m["roughness"]), "brdf_90_degree_refl": 1.0,
-                  "brdf_curve": 5.0, "refl_gloss_samples": 8})
+        p.update({"reflectivity": 1.0, "refl_gloss": gloss(m["roughness"]), "refl_gloss_samples": 8})
         if m["kind"] == "metal":
-            p.update({"refl_color": m["colour"], "brdf_0_degree_refl": 1.0, "diffuse_weight": 0.0})
+            p.update({"refl_color": m["colour"], "brdf_0_degree_refl": 1.0, "brdf_90_degree_refl": 1.0,
+                      "diffuse_weight": 0.0})
         else:
-            p.update({"diffuse": m["diffuse"], "brdf_0_degree_refl": .04})
+            p.update({"diffuse": m["diffuse"], "brdf_fresnel": True, "refr_ior": 1.5})
+    elif m["kind"] == "mirror":
+        p.update({"reflectivity": 1.0, "refl_gloss": 1.0, "refl_color": m["colour"],
+                  "brdf_0_degree_refl": 1.0, "brdf_90_degree_refl": 1.0, "diffuse_weight": 0.0,
+                  "refl_depth": 0})
     else:
         p.update({"transparency": 1.0, "reflectivity": 1.0, "refr_ior": m["ior"], "refr_gloss": 1.0,
                   "refl_gloss": 1.0, "diffuse_weight": 0.0, "brdf_fresnel": True,
                   "refr_color": (1, 1, 1), "refl_color": (1, 1, 1),
-                  "do_refractive_caustics": True, "skip_inside_refl": False})
+                  "do_refractive_caustics": not m["straight"], "skip_inside_refl": False})
     def text(v):
         if isinstance(v, bool):
             return "on" if v else "off"
@@ -90,9 +95,22 @@ def light(f, name, l):
                 f'direction {numbers(*l["direction"])} end light\n'
                 f'instance "{name}_i" "{name}" end instance\n')
         return
+    if l["kind"] == "spot":
+        c, edge = 4 * l["intensity"], math.cos(math.radians(l["half_angle"]))
+        f.write(f'light "{name}" "physical_light" ( "color" {c} {c} {c}, "cone" {edge:.9g} ) '
+                f'origin {numbers(*l["centre"])} direction {numbers(*l["direction"])} '
+                f'spread {edge:.9g} end light\ninstance "{name}_i" "{name}" end instance\n')
+        return
+    if l["kind"] == "profile":
+        c = l["factor"]
+        place = world_to((1, 0, 0), (0, 0, -1), (0, 1, 0), l["centre"])
+        f.write(f'light "{name}" "mib_light_photometric" ( "color" {c} {c} {c}, "shadow" on, '
+                f'"profile" "profile" ) origin 0 0 0 end light\n'
+                f'instance "{name}_i" "{name}" {place} end instance\n')
+        return
     across, up = unit(l["across"]), unit(l["up"])
     w, h = math.sqrt(dot(l["across"], l["across"])), math.sqrt(dot(l["up"], l["up"]))
-    normal = cross(across, up)  # it shines along this
+    normal = cross(across, up)  # the light shines along it
     if l["kind"] == "area":
         c = 4 * l["radiance"] * w * h
         shader = f'"physical_light" ( "color" {c} {c} {c} )'
@@ -104,12 +122,77 @@ def light(f, name, l):
             'end instance\n')
 
 
-def write(scene, path, probe, exr):
+def physical_sky(f, sky):
+    """Sun and sky; the disc is left out, as the light is the sun."""
+    f.write(f'light "sun" "mia_physicalsun" ( "haze" {sky["haze"]}, "y_is_up" on ) direction '
+            f'{numbers(*(-x for x in sky["to_sun"]))} end light\n'
+            'instance "sun_i" "sun" end instance\n'
+            f'shader "sky" "mia_physicalsky" ( "haze" {sky["haze"]}, "y_is_up" on, "sun" "sun_i", '
+            '"sun_disk_intensity" 0, "sun_glow_intensity" 0 )\n')
+
+
+def camera(f, place, width, pixels, more=""):
+    f.write(f'camera "cam" output "rgba_fp" "exr" "unused.exr" focal 1 aperture {width} '
+            f'aspect {pixels[0] / pixels[1]:.9g} resolution {pixels[0]} {pixels[1]} '
+            f'environment = "sky" {more} end camera\ninstance "cam_i" "cam" {place} end instance\n')
+
+
+def write_sky(sky, path):
+    """The sky alone as a latitude-longitude picture whose centre is +x, as in Blender."""
+    with open(path, "w", encoding="ascii") as f:
+        f.write('$include <base.mi>\n$include <architectural.mi>\n$include <oriel.mi>\n'
+                'options "opt" object space filter box 1 1 trace on "indirect" "path" end options\n')
+        physical_sky(f, sky)
+        f.write('material "grey" "mia_material_x" ( "diffuse" .5 .5 .5 ) end material\n')
+        mesh(f, "speck", {"vertices": [(0, 0, 9e3), (1e-3, 0, 9e3), (0, 1e-3, 9e3)],
+                          "faces": [(0, 1, 2)], "material": "grey"})
+        camera(f, world_to((0, 0, 1), (0, 1, 0), (-1, 0, 0), (0, 0, 0)), 1, (1024, 512),
+               'lens "oriel_lens_panorama" ( )')
+        f.write('instgroup "world" "cam_i" "sun_i" "speck_i" end instgroup\n'
+                'render "world" "cam_i" "opt"\n')
+
+
+def write_sunlit(sky, path):
+    """A white square that faces the sun, under the sun alone."""
+    z = unit(sky["to_sun"])
+    x = unit(cross((0, 1, 0), z))
+    y = cross(z, x)
+    corner = [tuple(a * i + b * j for i, j in zip(x, y)) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    with open(path, "w", encoding="ascii") as f:
+        f.write('$include <base.mi>\n$include <architectural.mi>\n'
+                'options "opt" object space filter box 1 1 trace on "indirect" "path" end options\n')
+        physical_sky(f, sky)
+        f.write('shader "black" "mib_color_mix" ( "num" 0, "color_base" 0 0 0 )\n'
+                'material "w" "mia_material_x" ( "diffuse" 1 1 1, "reflectivity" 0 ) end material\n')
+        mesh(f, "square", {"vertices": corner, "faces": [(0, 1, 2, 3)], "material": "w"})
+        f.write('camera "cam" focal 1 aperture .1 aspect 1 resolution 8 8 environment = "black" '
+                f'end camera\ninstance "cam_i" "cam" {world_to(x, y, z, z)} end instance\n'
+                'instgroup "world" "cam_i" "sun_i" "square_i" end instgroup\n'
+                'render "world" "cam_i" "opt"\n')
+
+
+def write_profile(path, candela):
+    """An IES file of equidistant vertical angles from straight down to straight up."""
+    angles = [180 * i / (len(candela) - 1) for i in range(len(candela))]
+    with open(path, "w", encoding="ascii") as f:
+        f.write("IESNA:LM-63-1995\n[TEST] computed\nTILT=NONE\n"
+                f"1 -1 1 {len(candela)} 1 1 2 0 0 0\n1 1 0\n")
+        f.write(numbers(*angles) + "\n0\n" + numbers(*candela) + "\n")
+
+
+def write(scene, path, probe, profile):
     with open(path, "w", encoding="ascii") as f:
         f.write('$include <base.mi>\n$include <physics.mi>\n$include <architectural.mi>\n')
-        f.write(OPTIONS.format(n=scene.get("bounces", scenes.BOUNCES)))
+        refracts = any(not m.get("straight", True) for m in scene["materials"].values())
+        f.write(OPTIONS.format(n=scene.get("bounces", scenes.BOUNCES),
+                               caustic="on" if refracts else "off"))
+        if "profile" in scene:
+            f.write(f'lightprofile "profile" format ies file "{profile}" hermite 3 end lightprofile\n')
         for name, m in scene["materials"].items():
-            f.write(f'material "{name}" "mia_material_x" ( {material(m)} ) end material\n')
+            # A material without shadow shader has opaque shadows, and paths refract light in it.
+            shadow = f'shadow = "{name}_s" ' if m.get("straight") else ""
+            f.write(f'shader "{name}_s" "mia_material_x" ( {material(m)} )\n'
+                    f'material "{name}" = "{name}_s" {shadow}end material\n')
         members = []
         for i, m in enumerate(scene["meshes"]):
             mesh(f, f"mesh{i}", m)
@@ -118,7 +201,10 @@ def write(scene, path, probe, exr):
             light(f, f"light{i}", l)
             members.append(f"light{i}_i")
         b = scene["background"]
-        if scene.get("probe"):
+        if "sky" in scene:
+            physical_sky(f, scene["sky"])
+            members.append("sun_i")
+        elif scene.get("probe"):
             f.write(f'color texture "probe" "{probe}"\n'
                     f'shader "sky" "mib_lookup_spherical" ( "tex" "probe", "rotate" {-math.pi / 2:.9g} )\n')
         else:
@@ -126,10 +212,7 @@ def write(scene, path, probe, exr):
         c = scene["camera"]
         z = unit(sub(c["position"], c["target"]))
         x = unit(cross((0, 1, 0), z))
-        f.write(f'camera "cam" output "rgba_fp" "exr" "{exr}" focal 1 aperture {c["width"]} '
-                f'aspect {scenes.WIDTH / scenes.HEIGHT:.9g} resolution {scenes.WIDTH} '
-                f'{scenes.HEIGHT} environment = "sky" end camera\n'
-                f'instance "cam_i" "cam" {world_to(x, cross(z, x), z, c["position"])} '
-                'end instance\n')
+        camera(f, world_to(x, cross(z, x), z, c["position"]), c["width"],
+               (scenes.WIDTH, scenes.HEIGHT))
         f.write('instgroup "world" "cam_i" ' + " ".join(f'"{m}"' for m in members) +
                 ' end instgroup\nrender "world" "cam_i" "opt"\n')

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scenes that two renderers are compared on, as data: what is where, and how bright.
+"""Scenes that two renderers are compared on, as data: geometry, materials, lights, camera.
 
 Metres, y up. A mesh is vertices, faces (their corners counter-clockwise from outside) and a material.
 A material has `diffuse` (albedo), or is `metal` or `plastic` with a GGX `roughness` (the root of
@@ -54,6 +54,26 @@ def sphere(material, centre, radius, rings=96):
             "normals": [tuple((v[i] - centre[i]) / radius for i in range(3)) for v in vertices]}
 
 
+def cylinder(material, centre, radius, height, columns=48):
+    """An open upright tube with smooth normals."""
+    vertices, normals, faces = [], [], []
+    for c in range(columns):
+        x, z = math.cos(2 * math.pi * c / columns), -math.sin(2 * math.pi * c / columns)
+        for y in (-height / 2, height / 2):
+            vertices.append((centre[0] + radius * x, centre[1] + y, centre[2] + radius * z))
+            normals.append((x, 0.0, z))
+        d = (c + 1) % columns
+        faces.append((2 * c, 2 * d, 2 * d + 1, 2 * c + 1))
+    return {"material": material, "vertices": vertices, "faces": faces, "normals": normals}
+
+
+def back_plate(lamp):
+    """A black plate 5 mm above a lamp of the ceiling: lights of Cycles are not opaque."""
+    (x, y, z), w, d = lamp["centre"], lamp["across"][0] / 2, lamp["up"][2] / 2
+    return quad("black", (x - w, y + .005, z - d), (x + w, y + .005, z - d),
+                (x + w, y + .005, z + d), (x - w, y + .005, z + d))
+
+
 def camera(position, target, width_over_distance):
     """Looks from `position` at `target`; the picture is that much wider than it is far."""
     return {"position": position, "target": target, "width": width_over_distance}
@@ -79,7 +99,8 @@ def room(open_front, window):
     return walls
 
 
-ROOM_MATERIALS = {"white": WHITE, "red": RED, "green": GREEN, "wood": WOOD}
+ROOM_MATERIALS = {"black": {"kind": "diffuse", "diffuse": (0, 0, 0)},
+                  "white": WHITE, "red": RED, "green": GREEN, "wood": WOOD}
 PORTAL = {"kind": "portal", "centre": (-2.5, 1.5, 0), "across": (0, 0, -2.0), "up": (0, 1.4, 0)}
 ROOM_CAMERA = camera((1.9, 1.5, 1.9), (-.6, 1.1, -1.0), 1.6)
 
@@ -87,7 +108,7 @@ ROOM_CAMERA = camera((1.9, 1.5, 1.9), (-.6, 1.1, -1.0), 1.6)
 def cornell():
     lamp = {"kind": "area", "centre": (0, 2.79, 0), "across": (1.2, 0, 0), "up": (0, 0, 1.2),
             "radiance": 20.0}
-    return {"meshes": room(True, False), "materials": ROOM_MATERIALS, "lights": [lamp],
+    return {"meshes": [*room(True, False), back_plate(lamp)], "materials": ROOM_MATERIALS, "lights": [lamp],
             "background": 0.0, "camera": camera((0, 1.4, 6.2), (0, 1.4, 0), 1.35)}
 
 
@@ -112,11 +133,12 @@ def glossy():
             "background": 1.0, "camera": camera((0, 2.2, 6), (0, .8, 0), 1.0)}
 
 
-def glass():
-    materials = dict(ROOM_MATERIALS, glass={"kind": "glass", "ior": 1.5})
+def glass(straight):
+    """Balls of glass under a lamp: transparent shadows, or refracted light (caustics)."""
+    materials = dict(ROOM_MATERIALS, glass={"kind": "glass", "ior": 1.5, "straight": straight})
     lamp = {"kind": "area", "centre": (0, 2.79, 0), "across": (2.4, 0, 0), "up": (0, 0, 2.4),
             "radiance": 8.0}
-    meshes = room(True, False)[:-2] + [sphere("glass", (-.8, .8, -.4), .7),
+    meshes = room(True, False)[:-2] + [back_plate(lamp), sphere("glass", (-.8, .8, -.4), .7),
                                        sphere("glass", (.9, .5, .5), .45)]
     return {"meshes": meshes, "materials": materials, "lights": [lamp], "background": 0.0,
             "camera": camera((0, 1.4, 6.2), (0, 1.2, 0), 1.2), "bounces": 16}
@@ -151,7 +173,5 @@ def exterior():
             "camera": camera((0, 9, 44), (0, 2, 0), 1.1)}
 
 
-SCENES = {"cornell": cornell, "sky_room": sky_room, "sun_room": sun_room, "glossy": glossy,
-          "glass": glass, "exterior": exterior}
 WIDTH, HEIGHT = 320, 240
 BOUNCES = 8

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The scenes of the comparison by name."""
+import functools
+
+import interiors
+import scenes
+
+SCENES = {"cornell": scenes.cornell, "sky_room": scenes.sky_room, "sun_room": scenes.sun_room,
+          "glossy": scenes.glossy, "glass_shadows": functools.partial(scenes.glass, True),
+          "glass_caustics": functools.partial(scenes.glass, False), "exterior": scenes.exterior,
+          "day_room": interiors.day_room, "night_room": interiors.night_room,
+          "bathroom": interiors.bathroom}
