@@ -52,7 +52,8 @@ class Probe {
     settings_.estimator = estimator;
     return *this;
   }
-  /// Paths find the windows of rooms by chance only. Also removes emissive surfaces from the lights.
+  /// Paths find the windows of rooms by chance only. Also removes emissive surfaces from the
+  /// lights.
   Probe& without_openings();
   /// Whether emissive surfaces are sampled as lights.
   Probe& mesh_lights(bool on) {
