@@ -216,7 +216,8 @@ def settings(scene, samples, seed, threads, noise):
     cycles.caustics_reflective = cycles.caustics_refractive = True
     bounces = scene.get("bounces", scenes.BOUNCES)
     for kind in ("max", "diffuse", "glossy", "transmission", "transparent_max"):
-        setattr(cycles, kind + "_bounces", bounces)
+        # Oriel's paths have no limit of diffuse bounces.
+        setattr(cycles, kind + "_bounces", 64 if kind in ("max", "diffuse") else bounces)
 
 
 def main():
