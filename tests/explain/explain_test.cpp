@@ -103,8 +103,9 @@ TEST(Explain, SharesSumToThePixelOfTheWholePicture) {
     for (const auto& [x, y] : pixels) {
       const Explanation e = room_of.at(x, y, 32);
       const Rgb rendered = rgb(whole.film().pixel(x, y).beauty);
-      // Maps that keep lights apart are rounded in other places.
-      expect_near(e.colour, rendered, gi == Method::Path ? 1e-6f : 5e-4f, "the picture's pixel");
+      // Maps that keep lights apart are rounded in other places, which may decide about a photon.
+      expect_near(e.colour, rendered, gi == Method::Path ? 1e-6f : 1.5e-3f,
+                  fmt::format("the picture's pixel {} {}, method {}", x, y, static_cast<int>(gi)));
       expect_near(e.total(0), e.colour, 1e-4f, "all shares");
       Rgb parts(0);
       for (const Rgb& part : e.parts) parts += part;
