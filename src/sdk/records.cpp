@@ -250,6 +250,11 @@ Host::Record Host::make(miTag tag) {
     std::memcpy(r.bytes.get(), &value, sizeof(T));
     return r;
   };
+  const auto filled = [](const auto& fill) {
+    Record r;
+    r.bytes = fill(r.size);
+    return r;
+  };
   switch (kind_of(tag)) {
     case TagKind::Camera:
       return record(camera_of(*world_, scene_camera(*this)));
@@ -294,11 +299,8 @@ Host::Record Host::make(miTag tag) {
       if (const ShaderNode* n = node(tag)) return record(foreign_function(*n));
       break;
     case TagKind::UserData:
-      if (const scene::UserData* data = user_data(tag)) {
-        Record r;
-        r.bytes = user_data_record(*data, *this, r.size);
-        return r;
-      }
+      if (const scene::UserData* data = user_data(tag))
+        return filled([&](std::size_t& size) { return user_data_record(*data, *this, size); });
       break;
     case TagKind::Text: {
       const std::string_view s = text(tag);
@@ -308,16 +310,11 @@ Host::Record Host::make(miTag tag) {
       r.bytes[s.size()] = std::byte{0};
       return r;
     }
-    case TagKind::Root: {
-      Record r;
-      r.bytes = root_record(*this, r.size);
-      return r;
-    }
-    case TagKind::Made: {
-      Record r;
-      r.bytes = element_record(*this, made::name_of(tag), r.size);
-      return r;
-    }
+    case TagKind::Root:
+      return filled([&](std::size_t& size) { return root_record(*this, size); });
+    case TagKind::Made:
+      return filled(
+          [&](std::size_t& size) { return element_record(*this, made::name_of(tag), size); });
     case TagKind::Declaration:
       if (const UserSpec* spec = declaration(tag)) return record(miFunction_decl{spec->version});
       break;
