@@ -99,10 +99,7 @@ float Path::area_per_angle(float distance2, float cosine) {
 
 /// The weights of directional lights at this surface, which sample_lit() may have found as well.
 BesideLitSurfaces Path::beside_lit_surfaces(const ShadingPoint& point) const {
-  const bool sampled = from_.group == LobeGroup::Diffuse      ? from_.surfaces_on_diffuse
-                       : from_.group == LobeGroup::Reflection ? from_.surfaces_in_reflections
-                                                              : false;
-  if (!settings_.lit || !from_.weighed || !sampled || point.instance < 0 ||
+  if (!settings_.lit || !from_.sampled_surfaces() || point.instance < 0 ||
       !can_be_found(world_, static_cast<std::uint32_t>(point.instance)))
     return {};
   const float distance = from_.passed + point.ray_length;
@@ -218,10 +215,9 @@ Rgb Path::seen_of(const SurfaceTarget& target, const Closure& closure, const Sha
 
 /// MIS weight of emission that a ray hit.
 float Path::emission_weight(const geom::Hit& hit, const ShadingPoint& point) const {
-  const bool sampled = from_.group == LobeGroup::Diffuse
-                           ? from_.surfaces_on_diffuse
-                           : from_.group == LobeGroup::Reflection && from_.surfaces_in_reflections;
-  if (!from_.weighed || !sampled || world_.light_sampler->mesh_lights().empty()) return 1;
+  if (!settings_.mesh_lights || !from_.sampled_surfaces() ||
+      world_.light_sampler->mesh_lights().empty())
+    return 1;
   const float pdf = world_.light_sampler->triangle_pdf(from_.lit, hit.time, hit.instance,
                                                        hit.primitive, point.position, way_.ray.dir);
   if (!(pdf > 0)) return 1;

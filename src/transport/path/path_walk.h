@@ -94,6 +94,13 @@ class Path {
     bool shadows = true;
     // Surfaces were sampled as lights for diffuse lobes, and for glossy reflections.
     bool surfaces_on_diffuse = false, surfaces_in_reflections = false;
+    /// Whether surfaces were sampled for the lobes of the ray.
+    bool sampled_surfaces() const {
+      if (!weighed) return false;
+      return group == LobeGroup::Diffuse
+                 ? surfaces_on_diffuse
+                 : group == LobeGroup::Reflection && surfaces_in_reflections;
+    }
     LitPoint lit;      ///< the point that emissive triangles were sampled for
     float passed = 0;  ///< distance since then, through surfaces that did not bend the ray
   };
