@@ -57,7 +57,7 @@ class Texture {
 
   /// Keeps the pixels of a file decoded in memory, unless they are too many: bilinear lookups
   /// without footprint are then several times faster. For pictures of environments. Not
-  /// thread-safe. Checked: Texture.KeptPixelsGiveTheSameValues
+  /// thread-safe. Checked: FileTexture.KeptPixelsGiveTheSameValues
   virtual void keep_pixels() {}
 
   /// Scalar lookup: the mean of R, G and B.

@@ -23,7 +23,7 @@ class KeptPixels {
   /// Inputs:  u, v: after wrapped(), v from the top; wrap_u, wrap_v: of the texels beyond the
   /// border.
   ///          channels: of `out`, at most those of the file.
-  /// Checked: Texture.KeptPixelsGiveTheSameValues
+  /// Checked: FileTexture.KeptPixelsGiveTheSameValues
   void sample(float u, float v, Wrap wrap_u, Wrap wrap_v, int channels, float* out) const;
 
  private:
