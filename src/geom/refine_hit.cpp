@@ -18,9 +18,10 @@ void refine_triangle(const std::array<Vec3, 3>& corners, const Vec3& org, const 
   const double cosine = -normal.dot(d);
   if (cosine == 0) return;
   const DVec3 from_a = DVec3(org) - a, moment = from_a.cross(d);
-  hit.t = static_cast<float>(from_a.dot(normal) / cosine);
-  hit.u = static_cast<float>(e2.dot(moment) / cosine);
-  hit.v = static_cast<float>(-e1.dot(moment) / cosine);
+  const double inverse = 1 / cosine;
+  hit.t = static_cast<float>(from_a.dot(normal) * inverse);
+  hit.u = static_cast<float>(e2.dot(moment) * inverse);
+  hit.v = static_cast<float>(-e1.dot(moment) * inverse);
   hit.ng = Vec3(normal);
 }
 

@@ -132,7 +132,8 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
   // Twice the area, within the range where its square is a float.
   const bool plain = area > 1e-12f && area < 1e12f;
   point.ng = plain ? cross_product * (1 / area) : normalize_any(cross_product);
-  point.ns = mesh.normals.empty() ? point.ng : shading_normal(mesh, t, weights, point.ng);
+  const bool flat = mesh.normals.empty();
+  point.ns = flat ? point.ng : shading_normal(mesh, t, weights, point.ng);
   if (moves) move_triangle(mesh, t, hit.time, weights, point, error);
   derive(mesh, t, weights, e1, e2, point);
 
@@ -160,7 +161,7 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
 
   // A shading normal below the horizon would be lit from behind.
   constexpr float kHorizon = 1e-3f;
-  point.ns = normalize(point.ns);
+  point.ns = flat ? point.ng : normalize(point.ns);
   if (const float cosine = dot(point.ns, point.ng); !(cosine >= kHorizon))
     point.ns = normalize(point.ns + point.ng * (kHorizon - cosine));
 

@@ -43,7 +43,7 @@ class FilesModule {
   virtual TextureStatistics texture_statistics() = 0;
 };
 
-inline constexpr int kFilesModuleVersion = 6;
+inline constexpr int kFilesModuleVersion = 7;
 /// The only exported symbol of the module. It returns null when the version differs. The object is
 /// never destroyed.
 using FilesModuleEntry = FilesModule* (*)(int version);

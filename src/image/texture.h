@@ -42,6 +42,7 @@ struct TextureSampling {
 /// the full resolution is interpolated.
 struct TextureFootprint {
   Vec2 dx{0, 0}, dy{0, 0};
+  bool is_null() const { return dx.x == 0 && dx.y == 0 && dy.x == 0 && dy.y == 0; }
 };
 
 class Texture {
@@ -53,6 +54,11 @@ class Texture {
   /// Checked: Texture.*
   virtual Rgba sample(const Vec2& uv, const TextureFootprint& footprint,
                       const TextureSampling& how) const = 0;
+
+  /// Keeps the pixels of a file decoded in memory, unless they are too many: bilinear lookups
+  /// without footprint are then several times faster. For pictures of environments. Not
+  /// thread-safe. Checked: FileTexture.KeptPixelsGiveTheSameValues
+  virtual void keep_pixels() {}
 
   /// Scalar lookup: the mean of R, G and B.
   float sample_scalar(const Vec2& uv, const TextureFootprint& footprint,
@@ -89,8 +95,8 @@ std::unique_ptr<Texture> make_memory_texture(int width, int height, int componen
 class TextureSystem {
  public:
   struct Opened {
-    const Texture* texture;  ///< owned by the system; null if the file cannot be opened
-    std::string message;     ///< reason; reported to the first caller only, empty afterwards
+    Texture* texture;     ///< owned by the system; null if the file cannot be opened
+    std::string message;  ///< reason; reported to the first caller only, empty afterwards
   };
 
   /// Opens a file by its resolved path. A new system detects files that were modified. Thread-safe,

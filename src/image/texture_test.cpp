@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <random>
 #include <thread>
 #include <vector>
 
@@ -315,6 +316,33 @@ TEST(FileTexture, StatisticsCountTilesThatWereRead) {
   EXPECT_EQ(look_at_all(), 0);
   EXPECT_GE(texture_statistics().bytes_held, std::int64_t{256} * 256 * 3);
   EXPECT_GE(texture_statistics().files, 1);
+}
+
+TEST(FileTexture, KeptPixelsGiveTheSameValues) {
+  const TestFolder folder;
+  std::mt19937 engine(7);
+  std::uniform_real_distribution<float> value(0, 100), place(-2.5f, 3.5f);
+  for (const char* name : {"grey.exr", "color.exr", "color.tif"}) {
+    Image image(37, 23, name[0] == 'g' ? 1 : 3);
+    const bool exr = std::string(name).ends_with("exr");
+    for (float& p : image.pixels) p = exr ? value(engine) : value(engine) / 100;
+    write_image(folder.file(name), image);
+    TextureSystem kept_system, other_system;
+    Texture* kept = kept_system.open(folder.file(name), 2.2f).texture;
+    Texture* other = other_system.open(folder.file(name), 2.2f).texture;
+    ASSERT_TRUE(kept && other) << name;
+    kept->keep_pixels();
+    for (const Wrap wrap : {Wrap::Black, Wrap::Periodic, Wrap::Clamp, Wrap::Mirror})
+      for (const Interpolation how : {Interpolation::Bilinear, Interpolation::Nearest})
+        for (int i = 0; i < 1000; ++i) {
+          Vec2 uv(place(engine), place(engine));
+          if (i % 10 == 0) uv.x = std::round(uv.x);  // at the border
+          const TextureSampling sampling{.wrap_u = wrap, .wrap_v = wrap, .interpolation = how};
+          const Rgba a = kept->sample(uv, {}, sampling), b = other->sample(uv, {}, sampling);
+          for (int c = 0; c < 4; ++c)
+            ASSERT_NEAR(a[c], b[c], 2e-3f) << name << " " << uv.x << " " << uv.y;
+        }
+  }
 }
 
 TEST(FileTexture, SmallCacheGivesTheSameValues) {

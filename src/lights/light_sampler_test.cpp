@@ -40,6 +40,7 @@ class Scene {
     light.position = Vec3(u(engine_), u(engine_), 4 + u(engine_));
     light.edge_u = Vec3(1, 0, 0);
     light.edge_v = Vec3(0, 1, 0);
+    light.axes = {light.edge_u, light.edge_v};
     light.area = 1;
     light.shader = &white_;
     world.lights.push_back(std::move(light));

@@ -24,9 +24,8 @@ Vec3 corner_of(const Light& light) {
 
 std::optional<ShapeSample> sample_flat(const Light& light, const Vec3& from, Vec2 u) {
   ShapeSample s;
-  if (light.shape == LightShape::Rectangle && has_square_corners(light)) {
-    const sampling::SphericalRectangle rectangle(from, corner_of(light), light.edge_u,
-                                                 light.edge_v);
+  if (light.shape == LightShape::Rectangle && light.axes.square_corners) {
+    const sampling::SphericalRectangle rectangle(from, corner_of(light), light.axes);
     const auto r = rectangle.sample(u);
     s = {r.point, r.wi, r.distance, -dot(r.wi, light.direction), r.pdf};
   } else {
@@ -122,8 +121,8 @@ float shape_pdf(const Light& light, const Vec3& from, const Vec3& direction,
                 const LightShapeHit& hit) {
   switch (light.shape) {
     case LightShape::Rectangle:
-      if (has_square_corners(light))
-        return sampling::SphericalRectangle(from, corner_of(light), light.edge_u, light.edge_v)
+      if (light.axes.square_corners)
+        return sampling::SphericalRectangle(from, corner_of(light), light.axes)
             .pdf(direction, hit.t);
       return sqr(hit.t) / (light.area * hit.facing);
     case LightShape::Disc:
@@ -213,11 +212,6 @@ std::optional<SeenPoint> point_seen_along(const Light& light, const Vec3& direct
     default:
       return SeenPoint{light.position, 1};
   }
-}
-
-bool has_square_corners(const Light& light) {
-  const float uu = dot(light.edge_u, light.edge_u), vv = dot(light.edge_v, light.edge_v);
-  return sqr(dot(light.edge_u, light.edge_v)) <= 1e-6f * uu * vv;
 }
 
 }  // namespace oriel

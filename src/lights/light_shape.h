@@ -51,8 +51,4 @@ struct SeenPoint {
 };
 std::optional<SeenPoint> point_seen_along(const Light& light, const Vec3& direction, Vec2 u);
 
-/// Whether the edges of a rectangle are perpendicular. The solid angle of other parallelograms has
-/// no such simple sampling; they are sampled by area.
-bool has_square_corners(const Light& light);
-
 }  // namespace oriel

@@ -37,11 +37,11 @@ class SeenOpening {
 
  private:
   bool by_table() const { return r_.table && r_.table->structured(); }
-  sampling::SphericalRectangle even() const { return {from_, r_.corner, r_.edge_u, r_.edge_v}; }
+  sampling::SphericalRectangle even() const { return {from_, r_.corner, r_.axes}; }
   sampling::Window window() const {
     const Vec3 to = r_.corner - from_;
     const float x = dot(to, r_.table->x()), y = dot(to, r_.table->y());
-    return PortalTable::window(x, x + length(r_.edge_u), y, y + length(r_.edge_v),
+    return PortalTable::window(x, x + r_.axes.length_u, y, y + r_.axes.length_v,
                                dot(to, r_.table->z()));
   }
 
@@ -59,6 +59,7 @@ struct Openings::Shares {
 
 Openings::Openings(std::vector<OpeningRectangle> rectangles) : rectangles_(std::move(rectangles)) {
   ORIEL_ASSERT(rectangles_.size() <= kMax);
+  for (OpeningRectangle& r : rectangles_) r.axes = {r.edge_u, r.edge_v};
 }
 
 /// The solid angle times the cosine at the surface, both as if all light came from the centre, and
@@ -68,7 +69,7 @@ float Openings::share(const OpeningRectangle& r, const LitPoint& lit) const {
   const Vec3 to = r.corner + half_u + half_v - lit.position;
   const float height = -dot(to, r.inward);
   if (!(height > 0)) return 0;
-  const float area = length(cross(r.edge_u, r.edge_v));
+  const float area = r.axes.length_u * r.axes.length_v;
   const float d2 = to.length2() + area, d = std::sqrt(d2);
   float cosine = 1;
   if (lit.normal.length2() > 0) {

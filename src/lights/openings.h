@@ -8,6 +8,7 @@
 
 #include "lights/light_tree.h"
 #include "lights/portal_table.h"
+#include "sampling/rectangle.h"
 
 namespace oriel {
 
@@ -17,6 +18,7 @@ struct OpeningRectangle {
   Vec3 inward{0, 0, 1};                  ///< unit normal on the side of the room
   /// The environment behind it, with axes along the edges and against `inward`; null = even.
   std::shared_ptr<const PortalTable> table = nullptr;
+  sampling::RectangleAxes axes = {};  ///< of the edges; set by Openings
 };
 
 /// Densities of directions through rectangles. They only propose directions: the environment is

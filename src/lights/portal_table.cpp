@@ -266,7 +266,7 @@ void open_portals(World& world, bool detailed) {
     portal.across_u = cross(light.edge_v, normal) * (2 / dot(normal, normal));
     portal.across_v = cross(normal, light.edge_u) * (2 / dot(normal, normal));
     // The table is for windows of one orientation.
-    if (portal.shaders.empty() || !has_square_corners(light) || !stays_upright(light)) continue;
+    if (portal.shaders.empty() || !light.axes.square_corners || !stays_upright(light)) continue;
     const Vec3 x = normalize(light.edge_u), y = normalize(light.edge_v);
     const auto same = [&](const std::shared_ptr<const PortalTable>& t) {
       constexpr float kParallel = 1 - 1e-6f;

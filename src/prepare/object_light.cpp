@@ -74,6 +74,7 @@ void place_flat(const Surface& s, const Vec3& normal, Light& light) {
     light.shape = LightShape::Rectangle;
     light.edge_u = p[at == 1 ? 2 : 1] - p[0];
     light.edge_v = p[at == 3 ? 2 : 3] - p[0];
+    light.axes = {light.edge_u, light.edge_v};
     light.area = length(cross(light.edge_u, light.edge_v));
     light.position = (p[0] + *opposite) * 0.5f;
   } else {

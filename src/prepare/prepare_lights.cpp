@@ -44,6 +44,7 @@ void place_area(const scene::Light& element, const Mat4& to_world,
     light.shape = LightShape::Rectangle;
     light.edge_u = vec(0);
     light.edge_v = vec(3);
+    light.axes = {light.edge_u, light.edge_v};
     const Vec3 normal = cross(light.edge_u, light.edge_v);
     light.area = length(normal);
     const Vec3 unit = normalize(normal);

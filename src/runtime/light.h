@@ -11,6 +11,7 @@
 #include "runtime/portal.h"
 #include "runtime/profile_placement.h"
 #include "runtime/shader_node.h"
+#include "sampling/rectangle.h"
 
 namespace oriel {
 
@@ -30,6 +31,7 @@ struct Light {
   float spread = -2;           ///< cosine of the outer cone; below -1 = not a spot
   Vec3 edge_u{0}, edge_v{0};   ///< Rectangle: full edges; Disc: unit axes; Cylinder: edge_u = axis,
                                ///< half length each way
+  sampling::RectangleAxes axes;  ///< Rectangle: of the edges
   float radius = 0;
   float area = 0;        ///< emitting area; projected area for Sphere and Cylinder
   float cone_angle = 0;  ///< Directional: half-angle of the cone, radians

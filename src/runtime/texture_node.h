@@ -34,6 +34,10 @@ class TextureNode {
   /// Size in pixels; 0 if it is procedural or missing.
   int width() const { return texture_ ? texture_->width() : 0; }
   int height() const { return texture_ ? texture_->height() : 0; }
+  /// See Texture::keep_pixels().
+  void keep_pixels() {
+    if (texture_) texture_->keep_pixels();
+  }
   /// The texel at uv, unfiltered; outside of the picture, that of its border.
   Rgba texel(const Vec2& uv) const;
 
@@ -47,7 +51,7 @@ class TextureNode {
  private:
   TextureNode() = default;
   NodeList procedure_;
-  const Texture* texture_ = nullptr;
+  Texture* texture_ = nullptr;
   std::unique_ptr<Texture> own_;
   float filter_ = 0;  ///< blur factor; 0 = no filtering
 };

@@ -6,11 +6,22 @@
 
 namespace oriel::sampling {
 
+/// Directions and lengths of the edges of a parallelogram, computed once for all points.
+struct RectangleAxes {
+  Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};  ///< unit: along the edges, and the normal
+  float length_u = 0, length_v = 0;         ///< scene units
+  /// The edges are perpendicular. The solid angle of other parallelograms has no such simple
+  /// sampling; they are sampled by area.
+  bool square_corners = false;
+  RectangleAxes() = default;
+  RectangleAxes(const Vec3& edge_u, const Vec3& edge_v);
+};
+
 /// A rectangle projected to the sphere of directions around a point.
 ///
 /// Model:   uniform in solid angle. Below kSmallestSolidAngle, where float cannot represent the
 ///          spherical excess, uniform in area; `pdf` is consistent with that.
-/// Inputs:  point; corner, edge_u, edge_v of the rectangle with perpendicular edges, scene units.
+/// Inputs:  point; corner and axes of the rectangle, with square corners, scene units.
 /// Returns: pdf per solid angle; 0 if the point is in the plane of the rectangle.
 /// Errors:  total.
 /// Source:  Urena, Fajardo, King, "An Area-Preserving Parametrization for Spherical Rectangles",
@@ -30,7 +41,9 @@ class SphericalRectangle {
     float pdf;       ///< per solid angle
   };
 
-  SphericalRectangle(const Vec3& point, const Vec3& corner, const Vec3& edge_u, const Vec3& edge_v);
+  SphericalRectangle(const Vec3& point, const Vec3& corner, const RectangleAxes& axes);
+  SphericalRectangle(const Vec3& point, const Vec3& corner, const Vec3& edge_u, const Vec3& edge_v)
+      : SphericalRectangle(point, corner, RectangleAxes(edge_u, edge_v)) {}
 
   float solid_angle() const { return solid_angle_; }
   Sample sample(const Vec2& u) const;

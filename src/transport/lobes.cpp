@@ -41,6 +41,14 @@ auto with_bsdf(const Lobe& lobe, F&& f) {
   }
 }
 
+/// Most surfaces scatter like this alone, which needs neither local frames nor other lobes.
+bool is_lambert(const Lobe& lobe) { return lobe.kind == LobeKind::Diffuse && lobe.roughness == 0; }
+
+/// The factor of a Lambert lobe beside its density cos / pi.
+float lambert_factor(const Lobe& lobe, const ShadingPoint& point, const Vec3& wi) {
+  return bsdf::soft_terminator(point.geometric_normal, lobe.frame.n, wi);
+}
+
 /// Whether the lobe may answer for a direction on that side of the geometric surface.
 bool right_side(LobeKind kind, bool same_side) {
   switch (kind) {
@@ -121,6 +129,14 @@ Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
     const Lobe& lobe = closure.lobes[i];
     if (is_delta(lobe.kind) || !right_side(lobe.kind, same_side)) continue;
     if (seen_in_mirrors && lobe.controls.mirrored && sends_rays(closure, i)) continue;
+    if (is_lambert(lobe) && !lobe.controls.highlights_only) {
+      const float cosine = dot(lobe.frame.n, wi);
+      if (!(cosine > 0) || !(dot(lobe.frame.n, wo) > 0)) continue;
+      const float density = cosine * kInvPi;
+      out.diffuse.value += lobe.weight * (density * lambert_factor(lobe, point, wi));
+      out.diffuse.pdf += choice.rays[i] * density;
+      continue;
+    }
     const Vec3 o = lobe.frame.to_local(wo), w = lobe.frame.to_local(wi);
     if (is_highlight(lobe.kind)) {
       out.highlight += lobe.weight * highlight(lobe, o, w);
@@ -156,11 +172,29 @@ int choose_lobe(const Closure& closure, const LobeChoice& choice, float& u) {
   return chosen;
 }
 
+namespace {
+
+/// As sample_lobe(), of the only lobe.
+std::optional<ClosureSample> sample_lambert(const Lobe& lobe, float rays, const ShadingPoint& point,
+                                            const Vec3& wo, const Vec2& u) {
+  if (!(dot(lobe.frame.n, wo) > 0)) return std::nullopt;
+  const Vec3 local = sampling::sample_cosine_hemisphere(u);
+  ClosureSample out;
+  out.wi = lobe.frame.to_world(local);
+  out.pdf = rays * sampling::cosine_hemisphere_pdf(local.z);
+  if (!(dot(out.wi, point.geometric_normal) > 0) || !(out.pdf > 0)) return std::nullopt;
+  out.weight = lobe.weight * (lambert_factor(lobe, point, out.wi) / rays);
+  return out;
+}
+
+}  // namespace
+
 std::optional<ClosureSample> sample_lobe(const Closure& closure, const LobeChoice& choice,
                                          int index, const ShadingPoint& point, const Vec3& wo,
                                          float u_rest, const Vec2& u) {
   const Lobe& lobe = closure.lobes[index];
   const float rays = choice.rays[index];
+  if (closure.count == 1 && is_lambert(lobe)) return sample_lambert(lobe, rays, point, wo, u);
   const auto sample_in = [&](const Frame& frame) {
     return with_bsdf(lobe,
                      [&](const auto& bsdf) { return bsdf.sample(frame.to_local(wo), u, u_rest); });

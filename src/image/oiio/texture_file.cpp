@@ -13,6 +13,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "image/oiio/kept_pixels.h"
 #include "image/oiio/texture_input.h"
 #include "image/texture_wrap.h"
 
@@ -115,17 +116,39 @@ OIIO::TextureOpt::InterpMode interpolation_of(Interpolation mode) {
 
 class TextureFile final : public Texture {
  public:
-  TextureFile(System::TextureHandle* handle, const PixelLevel& level) : handle_(handle) {
+  TextureFile(OIIO::ustring name, System::TextureHandle* handle, const PixelLevel& level)
+      : name_(name), handle_(handle) {
     width_ = level.full_width;
     height_ = level.full_height;
     channels_ = level.channels;
     read_ = std::min(channels_, 4);
+    whole_ = level.x == 0 && level.y == 0 && level.width == width_ && level.height == height_ &&
+             level.full_x == 0 && level.full_y == 0;
+  }
+
+  void keep_pixels() override {
+    const std::size_t values = static_cast<std::size_t>(width_) *
+                               static_cast<std::size_t>(height_) * static_cast<std::size_t>(read_);
+    if (kept_ || !whole_ || values * sizeof(float) > KeptPixels::kMostBytes) return;
+    std::vector<float> pixels(values);
+    const auto turn = open_files().turn();
+    if (!system().imagecache()->get_pixels(name_, 0, 0, 0, width_, 0, height_, 0, 1, 0, read_,
+                                           OIIO::TypeDesc::FLOAT, pixels.data())) {
+      failed();
+      return;
+    }
+    kept_ = std::make_unique<KeptPixels>(width_, height_, read_, std::move(pixels));
   }
 
   Rgba sample(const Vec2& uv, const TextureFootprint& footprint,
               const TextureSampling& how) const override {
     const auto u = wrapped(uv.x, how.wrap_u), v = wrapped(uv.y, how.wrap_v);
     if (!u || !v) return Rgba(0, 0, 0, 0);
+    float c[4] = {0, 0, 0, 0};
+    if (kept_ && how.interpolation == Interpolation::Bilinear && footprint.is_null()) {
+      kept_->sample(*u, 1 - *v, how.wrap_u, how.wrap_v, read_, c);
+      return color_of(c);
+    }
     OIIO::TextureOpt options;
     options.swrap = wrap_of(how.wrap_u);
     options.twrap = wrap_of(how.wrap_v);
@@ -135,13 +158,21 @@ class TextureFile final : public Texture {
       options.mipmode = OIIO::TextureOpt::MipModeNoMIP;
 
     // The t axis of OpenImageIO starts at the top row.
-    float c[4] = {0, 0, 0, 0};
     const auto turn = open_files().turn();
     const bool good = system().texture(
         handle_, perthread(), options, *u, 1 - *v, bounded_derivative(footprint.dx.x),
         -bounded_derivative(footprint.dx.y), bounded_derivative(footprint.dy.x),
         -bounded_derivative(footprint.dy.y), read_, c);
-    if (!good) return failed();
+    return good ? color_of(c) : failed();
+  }
+
+  std::string error() const override {
+    const std::lock_guard lock(mutex_);
+    return error_;
+  }
+
+ private:
+  Rgba color_of(const float* c) const {
     switch (read_) {
       case 1:
         return Rgba(c[0], c[0], c[0], 1);
@@ -154,12 +185,6 @@ class TextureFile final : public Texture {
     }
   }
 
-  std::string error() const override {
-    const std::lock_guard lock(mutex_);
-    return error_;
-  }
-
- private:
   Rgba failed() const {
     // geterror() also clears the message; otherwise each lookup would append to it.
     std::string message = system().geterror();
@@ -170,8 +195,11 @@ class TextureFile final : public Texture {
     return Rgba(1, 0, 1, 1);
   }
 
+  OIIO::ustring name_;
   System::TextureHandle* handle_;
   int read_;
+  bool whole_;  ///< the pixels fill the picture
+  std::unique_ptr<KeptPixels> kept_;
   mutable std::atomic<bool> failed_{false};
   mutable std::mutex mutex_;
   mutable std::string error_;
@@ -229,7 +257,7 @@ std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma,
     const std::string why = system().geterror();
     throw std::runtime_error(why.empty() ? "the image library cannot use it as a texture" : why);
   }
-  return std::make_unique<TextureFile>(handle, level);
+  return std::make_unique<TextureFile>(name, handle, level);
 }
 
 void set_cache_megabytes(float megabytes) {

@@ -84,6 +84,9 @@ void DirectSum::add_light(const LightPick& pick, const Vec2& u) {
   const Rgb highlight = r.highlight * closure_.highlight_scale;
   const Rgb shown =
       r.diffuse.value + r.refraction.value + r.reflection.value * in.sum() + highlight;
+  // Most surfaces have nothing else than their diffuse lobe.
+  const bool specular =
+      !is_black(r.reflection.value) || !is_black(r.refraction.value) || !is_black(r.highlight);
   if (is_black(shown)) return tell(index, s->wi, s->reach, Rgb(0), Rgb(1));
   const float kept = linear_fade(s->distance, request_.falloff_distance);
   DirectLight& sum =
@@ -104,6 +107,7 @@ void DirectSum::add_light(const LightPick& pick, const Vec2& u) {
                        const Rgb& highlights) {
     const bool behind = dot(s->wi, point_.geometric_normal) < 0;
     (behind ? sum.translucency : sum.diffuse) += r.diffuse.value * diffuse * arriving;
+    if (!specular) return;
     sum.reflection += r.reflection.value * reflection * arriving * view * (in.as_reflection * kept);
     sum.specular +=
         (r.reflection.value * reflection * in.as_highlight + highlight * highlights) * arriving;
@@ -127,13 +131,14 @@ void DirectSum::add_light(const LightPick& pick, const Vec2& u) {
   };
   // Light that passes opaque objects cannot be found by rays.
   const Rgb leak = (Rgb(1) - open.all) * s->shadow_factor;
+  const Rgb diffuse = open.all * weight(r.diffuse, geom::RayMask::ShadowlessFinalGather) + leak;
+  if (!specular) return add(diffuse, Rgb(0), Rgb(0), Rgb(0));
   const Rgb straight = request_.rays_bend ? open.cut_outs : open.all;
   // Behind glass, rays of glossy lobes hit visible lights only.
   const bool bent_rays_find = light.visible && s->pdf > 0;
   const Rgb glass = request_.rays_bend ? open.clear - open.cut_outs : Rgb(0);
   const Rgb missed = (bent_rays_find ? Rgb(0) : glass) + leak;
-  add(open.all * weight(r.diffuse, geom::RayMask::ShadowlessFinalGather) + leak,
-      straight * weight(r.reflection, geom::RayMask::ShadowlessReflection) + missed,
+  add(diffuse, straight * weight(r.reflection, geom::RayMask::ShadowlessReflection) + missed,
       straight * weight(r.refraction, geom::RayMask::ShadowlessRefraction) + missed,
       straight + glass + leak);
 }
