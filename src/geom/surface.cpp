@@ -32,9 +32,9 @@ Vec3 normalize_any(const Vec3& v) {
 
 // Bounds the distance between Embree's plane and that of the triangle. Embree's normal is the
 // rounded cross product of the sides; its tilt grows with the length and thinness of the triangle.
-float tilt_of(const Vec3& e1, const Vec3& e2, float area) {
+float tilt_of(const Vec3& e1, const Vec3& e2, float inverse_area) {
   const float l1 = length(e1), l2 = length(e2), longest = std::max(l1, l2);
-  const float thinness = area > 0 ? l1 * l2 / area : 0;
+  const float thinness = l1 * l2 * inverse_area;
   constexpr float kThinnest = 1000;  // beyond this value the offset would be visible
   return longest * gamma(8) * (1 + std::min(thinness, kThinnest));
 }
@@ -131,13 +131,14 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
   const float area = length(cross_product);
   // Twice the area, within the range where its square is a float.
   const bool plain = area > 1e-12f && area < 1e12f;
-  point.ng = plain ? cross_product * (1 / area) : normalize_any(cross_product);
+  const float inverse_area = area > 0 ? 1 / area : 0;
+  point.ng = plain ? cross_product * inverse_area : normalize_any(cross_product);
   const bool flat = mesh.normals.empty();
   point.ns = flat ? point.ng : shading_normal(mesh, t, weights, point.ng);
   if (moves) move_triangle(mesh, t, hit.time, weights, point, error);
   derive(mesh, t, weights, e1, e2, point);
 
-  float tilt = tilt_of(e1, e2, area);
+  float tilt = tilt_of(e1, e2, inverse_area);
 
   // Transform to world space.
   float world_area = area;

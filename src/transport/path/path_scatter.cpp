@@ -186,40 +186,46 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
 /// Adds direct light of lights and environment at this vertex.
 void Path::take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
                        bool diffuse) {
-  std::optional<DirectShares> shares;
-  if (record_->has_layers()) shares.emplace();
-  const DirectLight sum =
-      direct_light(world_, point, closure, choice, from_.lights,
-                   {.environment_on_diffuse = diffuse,
-                    .environment_in_reflections = !limits_reflections(closure),
-                    .rays_bend = !depth_.after_diffuse,
-                    .for_the_eye = !depth_.after_diffuse,
-                    .portals_mapped = reads_photons(),
-                    .falloff_distance = falloff_distance(closure),
-                    .estimator = settings_.estimator,
-                    .observer = depth_.after_diffuse ? nullptr : record_->observer,
-                    .place = place_,
-                    .beside = beside_lit_surfaces(point)},
-                   sampler_, counts_, shares ? &*shares : nullptr);
-  const Rgb indirect = indirect_factor() * closure.indirect_scale;
-  const auto bring_all = [&](const DirectLight& light, std::size_t layer) {
-    const auto bring = [&](Aov c, const Rgb& radiance) {
-      if (!is_black(radiance)) add(aov_.at_vertex(c), light_.throughput * radiance, layer);
-    };
-    bring(Aov::Diffuse, light.diffuse);
-    if (!caustics_are_mapped()) {
-      bring(Aov::Specular, light.specular);
-      bring(Aov::Reflection, light.reflection);
-      bring(Aov::Refraction, light.refraction);
-    }
-    bring(Aov::Translucency, light.translucency + light.environment_translucency * indirect);
-    bring(Aov::Indirect, light.environment * light_.occlusion * indirect);
-  };
-  if (!shares) return bring_all(sum, 0);
-  for (int i = 0; i < shares->count; ++i) {
-    const DirectShares::Share& share = shares->of[static_cast<std::size_t>(i)];
-    bring_all(share.light, share.layer);
+  const DirectRequest request{.environment_on_diffuse = diffuse,
+                              .environment_in_reflections = !limits_reflections(closure),
+                              .rays_bend = !depth_.after_diffuse,
+                              .for_the_eye = !depth_.after_diffuse,
+                              .portals_mapped = reads_photons(),
+                              .falloff_distance = falloff_distance(closure),
+                              .estimator = settings_.estimator,
+                              .observer = depth_.after_diffuse ? nullptr : record_->observer,
+                              .place = place_,
+                              .beside = beside_lit_surfaces(point)};
+  if (record_->has_layers()) return take_direct_of_layers(closure, choice, point, request);
+  add_direct(closure,
+             direct_light(world_, point, closure, choice, from_.lights, request, sampler_, counts_),
+             0);
+}
+
+/// The same split by light layers. A function of its own, since the shares are large.
+void Path::take_direct_of_layers(const Closure& closure, const LobeChoice& choice,
+                                 ShadingPoint& point, const DirectRequest& request) {
+  DirectShares shares;
+  direct_light(world_, point, closure, choice, from_.lights, request, sampler_, counts_, &shares);
+  for (int i = 0; i < shares.count; ++i) {
+    const DirectShares::Share& share = shares.of[static_cast<std::size_t>(i)];
+    add_direct(closure, share.light, share.layer);
   }
+}
+
+void Path::add_direct(const Closure& closure, const DirectLight& light, std::size_t layer) {
+  const auto bring = [&](Aov c, const Rgb& radiance) {
+    if (!is_black(radiance)) add(aov_.at_vertex(c), light_.throughput * radiance, layer);
+  };
+  const Rgb indirect = indirect_factor() * closure.indirect_scale;
+  bring(Aov::Diffuse, light.diffuse);
+  if (!caustics_are_mapped()) {
+    bring(Aov::Specular, light.specular);
+    bring(Aov::Reflection, light.reflection);
+    bring(Aov::Refraction, light.refraction);
+  }
+  bring(Aov::Translucency, light.translucency + light.environment_translucency * indirect);
+  bring(Aov::Indirect, light.environment * light_.occlusion * indirect);
 }
 
 void Path::scatter(const Closure& closure, const Material& material, ShadingPoint& point,

@@ -248,6 +248,9 @@ class Path {
   bool split(const Closure& closure, LobeChoice& choice) const;
   void take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
                    bool diffuse);
+  void take_direct_of_layers(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
+                             const DirectRequest& request);
+  void add_direct(const Closure& closure, const DirectLight& light, std::size_t layer);
   void occlude(const Closure& closure, const ShadingPoint& point);
   float environment_samples(const Material& material) const;
   int rays_at_first(float samples, float importance) const;
