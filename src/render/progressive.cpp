@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "base/parallel.h"
+#include "render/allocation.h"
 
 namespace oriel {
 namespace {
@@ -28,15 +29,16 @@ constexpr int kJudgedRadius = 5;
 
 int tiles_across(int pixels) { return (pixels + kTile - 1) / kTile; }
 
-/// Means over windows of 2 kJudgedRadius + 1 values of a row or column, clipped at its ends.
-void blur(const float* from, float* to, int count, std::size_t step) {
-  for (int i = 0; i < count; ++i) {
-    const int first = std::max(i - kJudgedRadius, 0), last = std::min(i + kJudgedRadius, count - 1);
-    float sum = 0;
-    for (int k = first; k <= last; ++k) sum += from[static_cast<std::size_t>(k) * step];
-    to[static_cast<std::size_t>(i) * step] = sum / static_cast<float>(last - first + 1);
-  }
-}
+/// The samples of all pixels grow by at most this factor in a pass with a noise target.
+constexpr double kPassGrowth = 1.5;
+
+/// Their least growth, so that few passes end the render: each looks at the noise, and the first
+/// that finds it below the target by chance ends the render too early.
+constexpr double kLeastPassGrowth = 1.0625;
+
+/// The samples of a pixel grow by at most this factor in such a pass, whose allocation is based on
+/// fewer samples than the pixel gets.
+constexpr std::uint32_t kPixelGrowth = 2;
 
 }  // namespace
 
@@ -63,17 +65,26 @@ float picture_brightness(const std::vector<Film::Estimate>& estimates) {
 }
 
 float convergence_gain(const std::vector<Film::Estimate>& estimates, float picture) {
-  double last = 0, before = 0;
+  // Sums of squares and of their squares; double: millions of terms.
+  struct Sums {
+    double squares = 0, fourths = 0;
+    void add(float noise) {
+      const double square = sqr(std::min(noise, kMaxPixelNoise));
+      squares += square, fourths += square * square;
+    }
+    /// Squared standard error of the sum, relative to it.
+    double uncertainty() const { return squares > 0 ? fourths / (squares * squares) : 0; }
+  } last, before;
   for (const Film::Estimate& e : estimates) {
-    const auto square = [&](float difference) {
-      return double{sqr(std::min(relative_noise(difference, e, picture), kMaxPixelNoise))};
-    };
-    last += square(e.doubling);
-    before += square(e.doubling_before);
+    last.add(relative_noise(e.doubling, e, picture));
+    before.add(relative_noise(e.doubling_before, e, picture));
   }
-  // Of independent samples the squares of changes halve with each doubling.
-  if (!(before > 0)) return 1;
-  return static_cast<float>(std::sqrt(std::clamp(2 * last / before, kFastest, 1.0)));
+  // Of independent samples the squares of changes halve with each doubling. By its standard error
+  // the ratio may be less by chance.
+  if (!(before.squares > 0)) return 1;
+  const double chance = 1 + std::sqrt(last.uncertainty() + before.uncertainty());
+  const double ratio = 2 * last.squares / before.squares;
+  return static_cast<float>(std::sqrt(std::clamp(chance * ratio, kFastest, 1.0)));
 }
 
 float picture_noise(const std::vector<Film::Estimate>& estimates, float picture) {
@@ -103,7 +114,7 @@ Progressive::Progressive(Film& film, const RenderBudget& budget)
 Progressive::Progressive(Film& film, const RenderBudget& budget, State state)
     : film_(film), budget_(budget), state_(std::move(state)) {
   budget_.max_samples = std::max(budget_.max_samples, 1u);
-  if (state_.active.size() != film.pixel_count()) state_.active.assign(film.pixel_count(), 1);
+  state_.targets.resize(film.pixel_count());
   start_ = std::chrono::steady_clock::now();
 }
 
@@ -122,19 +133,19 @@ bool Progressive::out_of_time() const {
 }
 
 bool Progressive::restore(State state) {
-  if (state.active.size() != film_.pixel_count() || state.pass < 0 ||
-      state.target > budget_.max_samples || !(state.elapsed >= 0) ||
-      !film_.is_valid(state.target) ||
-      std::any_of(state.active.begin(), state.active.end(), [](auto a) { return a > 1; }))
+  if (state.targets.size() != film_.pixel_count() || state.pass < 0 || !(state.elapsed >= 0) ||
+      !film_.is_valid(budget_.max_samples))
     return false;
+  for (std::size_t i = 0; i < state.targets.size(); ++i)
+    if (state.targets[i] > budget_.max_samples || film_.samples(i) > state.targets[i]) return false;
   state_ = std::move(state);
   elapsed_elsewhere_ = state_.elapsed;
   return true;
 }
 
 bool Progressive::pass_is_complete() const {
-  for (std::size_t i = 0; i < state_.active.size(); ++i)
-    if (state_.active[i] && film_.samples(i) < state_.target) return false;
+  for (std::size_t i = 0; i < state_.targets.size(); ++i)
+    if (film_.samples(i) < state_.targets[i]) return false;
   return true;
 }
 
@@ -145,82 +156,110 @@ bool Progressive::must_stop(const Callbacks& callbacks, const std::atomic<bool>*
   return cancelled_ || timed_out_ || paused_;
 }
 
-/// The noise by which each pixel is judged.
-std::vector<float> Progressive::judged_noise(const std::vector<Film::Estimate>& estimates,
-                                             float picture) const {
-  const auto width = static_cast<std::size_t>(film_.width());
-  const auto height = static_cast<std::size_t>(film_.height());
-  std::vector<float> noise(estimates.size()), across(estimates.size());
-  parallel_for(height, [&](std::size_t y) {
-    for (std::size_t i = y * width; i < (y + 1) * width; ++i)
-      noise[i] = sqr(
-          std::min(relative_noise(estimates[i].doubling, estimates[i], picture), kMaxPixelNoise));
-    blur(&noise[y * width], &across[y * width], film_.width(), 1);
-  });
-  parallel_for(width, [&](std::size_t x) { blur(&across[x], &noise[x], film_.height(), width); });
-  const float gain = convergence_gain(estimates, picture);
-  for (std::size_t i = 0; i < noise.size(); ++i) {
-    noise[i] = gain * std::sqrt(noise[i]);
-    if (budget_.every_pixel)
-      noise[i] = std::max(noise[i], relative_noise(estimates[i].error, estimates[i], picture));
-  }
-  return noise;
-}
-
-double Progressive::needed_growth(const std::vector<float>& noise) const {
-  // Squared noise falls with the number of samples. Pixels below the target stay as they are; the
-  // others all need `growth` times their samples until the mean square is that of the target.
-  const double target2 = sqr(double{budget_.noise});
-  double open = 0, rest = 0;
-  for (const float e : noise) (e > budget_.noise ? open : rest) += sqr(std::min(e, kMaxPixelNoise));
-  const double allowed = target2 * static_cast<double>(noise.size()) - rest;
-  return allowed > 0 ? std::max(open / allowed, 1.0) : 1;
-}
-
-bool Progressive::choose_active(std::uint32_t& next) {
-  const std::vector<Film::Estimate> estimates = film_estimates(film_);
+/// The squared noise of one sample in the neighbourhood of each pixel, by one of the errors.
+std::vector<float> Progressive::pooled_variance(const std::vector<Film::Estimate>& estimates,
+                                                float Film::Estimate::*error) const {
   const float picture = picture_brightness(estimates);
-  if (!budget_.every_pixel && picture_noise(estimates, picture) <= budget_.noise) return false;
-  const std::vector<float> noise = judged_noise(estimates, picture);
-  for (std::size_t i = 0; i < state_.active.size(); ++i)
-    state_.active[i] = film_.samples(i) < budget_.min_samples || noise[i] > budget_.noise;
-  if (!budget_.every_pixel) {
-    // The last pass has only the blocks of samples that are still needed.
-    const double needed = std::ceil(state_.target * needed_growth(noise) / kMinJudgedSamples);
-    if (needed * kMinJudgedSamples < next)
-      next = std::max(static_cast<std::uint32_t>(needed) * kMinJudgedSamples, state_.target + 1);
+  std::vector<float> variance(estimates.size());
+  for (std::size_t i = 0; i < variance.size(); ++i) {
+    const float noise = relative_noise(estimates[i].*error, estimates[i], picture);
+    variance[i] = sqr(std::min(noise, kMaxPixelNoise)) * static_cast<float>(film_.samples(i));
   }
-  return std::any_of(state_.active.begin(), state_.active.end(), [](auto a) { return a != 0; });
+  blur_square(variance, film_.width(), film_.height(), kJudgedRadius);
+  return variance;
+}
+
+/// The next pass of a picture whose noise has a target.
+void Progressive::plan_for_picture(Plan& plan, const std::vector<Film::Estimate>& estimates,
+                                   float noise) const {
+  if (noise <= budget_.noise) {
+    plan.stop = StopReason::Noise;
+    return;
+  }
+  // Two independent estimates: the changes measure the gain of evenly spread samples, the standard
+  // errors are more certain. By the changes alone, pixels whose change is small by chance would
+  // keep it until they double, and the noise of the picture would be estimated too small.
+  const std::vector<float> changes = pooled_variance(estimates, &Film::Estimate::doubling);
+  const std::vector<float> spread = pooled_variance(estimates, &Film::Estimate::error);
+  std::vector<PixelDemand> pixels(changes.size());
+  double present = 0, drawn = 0;  // double: millions of terms
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    pixels[i] = {film_.samples(i), std::sqrt(changes[i] * spread[i])};
+    present += double{pixels[i].variance} / pixels[i].samples;
+    drawn += pixels[i].samples;
+  }
+  // The demands are relative; noise and target give their scale.
+  const double target2 = present * sqr(budget_.noise / noise) / static_cast<double>(pixels.size());
+  AllocationLimits limits{.squared_noise = target2,
+                          .least_growth = kLeastPassGrowth,
+                          .growth = kPassGrowth,
+                          .pixel_growth = kPixelGrowth,
+                          .max_samples = budget_.max_samples};
+  plan.targets = allocate_samples(pixels, limits);
+  limits.least_growth = 1;
+  limits.growth = limits.pixel_growth = budget_.max_samples;
+  for (const std::uint32_t samples : allocate_samples(pixels, limits)) plan.missing += samples;
+  plan.missing -= drawn;
+}
+
+/// The next pass of a picture whose pixels all have a noise target.
+void Progressive::plan_for_pixels(Plan& plan, const std::vector<Film::Estimate>& estimates) const {
+  const float picture = picture_brightness(estimates), target2 = sqr(budget_.noise);
+  const float gain2 = sqr(convergence_gain(estimates, picture));
+  const std::vector<float> variance = pooled_variance(estimates, &Film::Estimate::doubling);
+  plan.stop = StopReason::Noise;
+  for (std::size_t i = 0; i < variance.size(); ++i) {
+    const std::uint32_t n = film_.samples(i);
+    const float own = relative_noise(estimates[i].error, estimates[i], picture);
+    const float noise2 =
+        std::max(gain2 * variance[i] / static_cast<float>(n), sqr(std::min(own, kMaxPixelNoise)));
+    if (noise2 <= target2) continue;
+    plan.stop.reset();
+    plan.targets[i] = std::max(n, std::min(next_pass_target(n), budget_.max_samples));
+    const double most = budget_.max_samples, needed = double{noise2} / target2 * n;
+    plan.missing += std::max(std::min(needed, most) - n, 0.0);
+  }
+}
+
+Progressive::Plan Progressive::plan(const std::vector<Film::Estimate>& estimates,
+                                    float noise) const {
+  std::vector<std::uint32_t> drawn(film_.pixel_count());
+  for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] = film_.samples(i);
+  const std::uint32_t lowest = drawn.empty() ? 0 : *std::min_element(drawn.begin(), drawn.end());
+  Plan plan{.targets = drawn};
+  if (lowest >= budget_.max_samples) {
+    plan.stop = StopReason::Samples;
+    return plan;
+  }
+  const bool judged = budget_.noise > 0 && lowest >= kMinSplitSamples;
+  if (!judged) {
+    for (const std::uint32_t n : drawn) plan.missing += budget_.max_samples - n;
+  } else if (budget_.every_pixel) {
+    plan_for_pixels(plan, estimates);
+  } else {
+    plan_for_picture(plan, estimates, noise);
+  }
+  if (judged && lowest >= budget_.min_samples) return plan;
+  plan.stop.reset();
+  const std::uint32_t next = std::min(next_pass_target(lowest), budget_.max_samples);
+  for (std::size_t i = 0; i < drawn.size(); ++i) plan.targets[i] = std::max(drawn[i], next);
+  return plan;
+}
+
+/// Whether the next pass has samples.
+bool Progressive::plan_grows() const {
+  for (std::size_t i = 0; i < next_.targets.size(); ++i)
+    if (next_.targets[i] > film_.samples(i)) return true;
+  return false;
 }
 
 std::optional<StopReason> Progressive::begin_pass() {
-  if (state_.target >= budget_.max_samples) return StopReason::Samples;
-  std::uint32_t next = next_pass_target(state_.target);
-  if (budget_.noise > 0 && state_.target >= budget_.min_samples) {
-    if (!choose_active(next)) return StopReason::Noise;
-  }
+  if (next_.stop) return next_.stop;
+  // Without a pass all pixels that have noise have the most samples.
+  if (!plan_grows()) return StopReason::Samples;
   if (out_of_time()) return StopReason::Time;
-  state_.target = std::min(next, budget_.max_samples);
+  state_.targets = next_.targets;
   return std::nullopt;
-}
-
-/// The number of samples until the budget is used up or the noise target is met.
-double Progressive::missing_samples(const std::vector<float>& noise) const {
-  const auto noise2 = [&](std::size_t i) {
-    return double{sqr(std::min(noise[i], kMaxPixelNoise))};
-  };
-  const double target2 = sqr(double{budget_.noise}), growth = needed_growth(noise);
-  double missing = 0;
-  for (std::size_t i = 0; i < noise.size(); ++i) {
-    const double n = film_.samples(i), most = budget_.max_samples;
-    double needed = most;
-    if (target2 > 0) {
-      needed = budget_.every_pixel ? n * noise2(i) / target2 : noise2(i) > target2 ? n * growth : n;
-      needed = std::clamp(needed, std::min<double>(budget_.min_samples, most), most);
-    }
-    missing += std::max(needed - n, 0.0);
-  }
-  return missing;
 }
 
 void Progressive::estimate(double seconds_of_run, double samples_of_run) {
@@ -228,15 +267,12 @@ void Progressive::estimate(double seconds_of_run, double samples_of_run) {
   const std::vector<Film::Estimate> estimates = film_estimates(film_);
   const float picture = picture_brightness(estimates);
   const float noise = picture_noise(estimates, picture);
-  const std::vector<float> judged = judged_noise(estimates, picture);
   const auto pixels = static_cast<double>(film_.pixel_count());
-  const double missing = missing_samples(judged);
+  next_ = plan(estimates, noise);
+  const double missing = next_.missing;
   double active = 0;
-  for (std::size_t i = 0; i < film_.pixel_count(); ++i) {
-    const bool below_min = film_.samples(i) < budget_.min_samples;
-    const bool quiet = budget_.noise > 0 && !below_min && judged[i] <= budget_.noise;
-    active += !quiet && film_.samples(i) < budget_.max_samples;
-  }
+  for (std::size_t i = 0; i < film_.pixel_count(); ++i)
+    active += !next_.stop && next_.targets[i] > film_.samples(i);
   last_.pass = state_.pass;
   last_.mean_samples = film_.mean_samples();
   last_.active = pixels > 0 ? active / pixels : 0;
@@ -313,8 +349,8 @@ StopReason Progressive::run_rows(const std::function<std::uint64_t(const Row&)>&
   last_report_ = elapsed();
   estimate(0, 0);
 
-  // An interrupted pass is completed first, with its active pixels and target.
-  bool chosen = state_.target > 0 && !pass_is_complete();
+  // An interrupted pass is completed first, with its targets.
+  bool chosen = !pass_is_complete();
   std::optional<StopReason> stop;
   while (!stop) {
     if (!chosen) stop = begin_pass();

@@ -36,7 +36,7 @@ struct Progress {
   const char* stage = nullptr;  ///< work before the picture, e.g. "photons"; null = the picture
   int pass = 0;                 ///< complete passes
   double mean_samples = 0;
-  double active = 1;                ///< fraction of pixels that the running pass still samples
+  double active = 1;                ///< fraction of pixels that the running pass samples
   std::optional<float> noise;       ///< picture_noise(); nothing before the second sample
   double elapsed = 0;               ///< seconds
   std::optional<double> remaining;  ///< seconds, estimated
@@ -45,18 +45,23 @@ struct Progress {
 
 /// Samples the pixels in passes until a stop criterion is met.
 ///
-/// Model:   pass k takes every active pixel from the samples it has to n_k: 1, 2, 4, 8, 16, 32,
-///          48, 64, 96, 128, 192... From min_samples on, the next pass leaves out pixels whose
-///          noise is below the target; the render ends when the noise
-///          of the picture is below the target, or with RenderBudget::every_pixel that of each
-///          pixel. Both are decided between passes from the film alone, so the picture is the same
-///          for any number of threads.
+/// Model:   pass k takes every pixel to n_k samples: 1, 2, 4, 8, 16, 32, 48, 64, 96, 128, 192...
+///          With a noise target, from min_samples on, a pass increases the samples of all pixels
+///          together by at most half. It distributes them by allocate_samples(), so that the noise
+///          of the picture decreases as fast as possible; each pixel at most doubles. The render
+///          ends when the noise of the picture is below the target. With
+///          RenderBudget::every_pixel, passes take the pixels whose noise is above the target
+///          to the next n_k, and the render ends when no pixel is above it.
+///          All this is decided between passes from the film alone, so the picture is the same for
+///          any number of threads.
 ///          Noise of a pixel: error of its brightness over sqrt(L M), L its brightness and M the
 ///          picture's. Dark regions may thus be noisier than bright ones, which is less visible
 ///          there, and the noise does not depend on the unit of the scene. The error is the
-///          change of the pixel when its number of samples was last doubled. A pixel is judged by
-///          the mean square of its neighbourhood: judged by its own samples, pixels that lack a
-///          rare bright sample would stop early and stay too dark.
+///          change of the pixel when its number of samples was last doubled. Samples are
+///          distributed by the geometric mean of this and of the standard error. A pixel is judged
+///          by the mean square of its neighbourhood, to whose 121 pixels it contributes one:
+///          judged by its own samples, pixels that lack a rare bright sample would stop early and
+///          stay too dark.
 /// Source:  H. Dammertz et al., "A Hierarchical Automatic Stopping Condition for Monte Carlo Global
 ///          Illumination", WSCG 2010 (error over the square root of brightness).
 /// Checked: Progressive.* in progressive_test.cpp
@@ -65,9 +70,8 @@ class Progressive {
   /// The state of a render; with the film it is sufficient to continue later.
   struct State {
     std::int32_t pass = 0;
-    std::uint32_t target = 0;  ///< samples that active pixels reach in the running pass
-    std::vector<std::uint8_t> active;
-    double elapsed = 0;  ///< seconds, of all runs
+    std::vector<std::uint32_t> targets;  ///< samples that each pixel reaches in the running pass
+    double elapsed = 0;                  ///< seconds, of all runs
   };
   /// `progress` is called a few times per second from any thread, never concurrently; `pass` after
   /// each pass, while the film does not change. `wants_pause` is called often, from any thread;
@@ -108,16 +112,23 @@ class Progressive {
                       const Callbacks& callbacks, const std::atomic<bool>* cancel);
   void run_pass(const std::function<std::uint64_t(const Row&)>& render_row,
                 const Callbacks& callbacks, const std::atomic<bool>* cancel);
+  /// The pass that follows the present film.
+  struct Plan {
+    std::optional<StopReason> stop;      ///< instead of a pass
+    std::vector<std::uint32_t> targets;  ///< as in State
+    double missing = 0;                  ///< estimated samples of all pixels until the end
+  };
+  Plan plan(const std::vector<Film::Estimate>& estimates, float noise) const;
+  bool plan_grows() const;
+  void plan_for_picture(Plan& plan, const std::vector<Film::Estimate>& estimates,
+                        float noise) const;
+  void plan_for_pixels(Plan& plan, const std::vector<Film::Estimate>& estimates) const;
   std::optional<StopReason> begin_pass();
   void render_tile(int tile, const std::function<std::uint64_t(const Row&)>& render_row,
                    const Callbacks& callbacks, const std::atomic<bool>* cancel);
-  /// False: the target is met. `next`: the target of the next pass, lowered if less is needed.
-  bool choose_active(std::uint32_t& next);
-  double needed_growth(const std::vector<float>& noise) const;
   void estimate(double seconds_of_run, double samples_of_run);
-  std::vector<float> judged_noise(const std::vector<Film::Estimate>& estimates,
-                                  float picture) const;
-  double missing_samples(const std::vector<float>& noise) const;
+  std::vector<float> pooled_variance(const std::vector<Film::Estimate>& estimates,
+                                     float Film::Estimate::*error) const;
   double done_share(double mean_samples) const;
   bool pass_is_complete() const;
   double elapsed() const;
@@ -130,6 +141,7 @@ class Progressive {
   RenderBudget budget_;
   State state_;
   Progress last_;              ///< as of the last complete pass
+  Plan next_;                  ///< the same
   double samples_in_all_ = 0;  ///< estimated mean number of samples at the end
   std::uint64_t pass_start_samples_ = 0;
   std::atomic<std::uint64_t> drawn_{0};  ///< in this run
@@ -149,7 +161,8 @@ inline constexpr float kMaxPixelNoise = 1;
 
 /// The error of all samples relative to the change at the last doubling of their number, as
 /// extrapolated from the last two changes: 1 of independent samples; less if evenly spread samples
-/// make the error fall faster than with the root of their number.
+/// make the error fall faster than with the root of their number, beyond one standard error of the
+/// squares.
 float convergence_gain(const std::vector<Film::Estimate>& estimates, float picture_brightness);
 
 /// Noise of the picture: root of the mean over pixels of the squared relative_noise() of their
@@ -175,8 +188,7 @@ StopReason Progressive::run(const Sample& sample, const Callbacks& callbacks,
     for (int x = row.x0; x < row.x1; ++x) {
       const auto pixel = static_cast<std::size_t>(row.y) * static_cast<std::size_t>(film_.width()) +
                          static_cast<std::size_t>(x);
-      if (!state_.active[pixel]) continue;
-      for (std::uint32_t i = film_.samples(pixel); i < state_.target; ++i) {
+      for (std::uint32_t i = film_.samples(pixel); i < state_.targets[pixel]; ++i) {
         FilmSample s;
         sample(x, row.y, i, s);
         film_.add(x, row.y, s);

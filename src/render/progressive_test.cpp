@@ -120,6 +120,94 @@ TEST(Progressive, RareLightIsNoticedAndNotLost) {
   }
 }
 
+/// Independent samples of mean 1.
+struct NoisyPicture {
+  const char* name;
+  float target;
+  float (*deviation)(int x);              ///< of one sample
+  float (*sample)(int x, float uniform);  ///< the value of a number in 0..1
+};
+
+/// Noise .2 in the left half, 1 in the right half.
+float two_deviations(int x) { return x < kWidth / 2 ? .2f : 1; }
+/// Noise .02 at the left border to 1.5 at the right border.
+float ramp(int x) { return .02f + 1.48f * static_cast<float>(x) / (kWidth - 1); }
+/// One column of eleven is noisy.
+float stripes(int x) { return x % 11 == 5 ? 1 : .02f; }
+/// The deviation of a value 1 / p with probability p, which is else 0.
+float spikes(int x) { return x < kWidth / 2 ? 7 : .1f; }
+
+float uniform_noise(float deviation, float u) {
+  return 1 + deviation * std::sqrt(3.0f) * (2 * u - 1);
+}
+
+const NoisyPicture kNoisyPictures[] = {
+    {"two deviations", .05f, two_deviations,
+     [](int x, float u) { return uniform_noise(two_deviations(x), u); }},
+    {"two deviations, small target", .02f, two_deviations,
+     [](int x, float u) { return uniform_noise(two_deviations(x), u); }},
+    {"ramp", .05f, ramp, [](int x, float u) { return uniform_noise(ramp(x), u); }},
+    {"stripes", .02f, stripes, [](int x, float u) { return uniform_noise(stripes(x), u); }},
+    {"spikes", .1f, spikes,
+     [](int x, float u) {
+       return x < kWidth / 2 ? (u < .02f ? 50.0f : 0) : uniform_noise(spikes(x), u);
+     }},
+};
+
+/// Renders a picture to its target.
+void render_noisy(const NoisyPicture& picture, std::uint64_t seed, Film& film) {
+  Progressive run(film, {.max_samples = 1u << 16, .noise = picture.target});
+  EXPECT_EQ(run.run([&](int x, int y, std::uint32_t index, FilmSample& s) {
+    sampling::Sampler sampler(x, y + film.height() * static_cast<int>(index), 0, seed);
+    s.beauty = Rgb(picture.sample(x, sampler.next_1d()));
+  }),
+            StopReason::Noise);
+}
+
+TEST(Progressive, TheTrueErrorAtTheEndIsTheTarget) {
+  for (const NoisyPicture& picture : kNoisyPictures) {
+    Film film(kWidth, kHeight, box());
+    render_noisy(picture, 1, film);
+    double sum = 0;  // the true picture is 1 everywhere
+    for (std::size_t i = 0; i < film.pixel_count(); ++i) sum += sqr(film.estimate(i).mean - 1);
+    const double error = std::sqrt(sum / static_cast<double>(film.pixel_count()));
+    EXPECT_NEAR(error / picture.target, 1, .25) << picture.name;
+  }
+}
+
+TEST(Progressive, NoisyPixelsGetSamplesInProportionToTheirDeviation) {
+  const NoisyPicture& picture = kNoisyPictures[0];
+  Film film(kWidth, kHeight, box());
+  render_noisy(picture, 1, film);
+  // (mean deviation)^2 / target^2, while uniform sampling needs the mean of the squares.
+  const double target2 = sqr(picture.target), best = .36 / target2, uniform = .52 / target2;
+  EXPECT_GT(film.mean_samples(), .85 * best);
+  EXPECT_LT(film.mean_samples(), .5 * (best + uniform));
+  double error2 = 0, uniform2 = 0;
+  for (std::size_t i = 0; i < film.pixel_count(); ++i) {
+    error2 += sqr(film.estimate(i).mean - 1);
+    uniform2 += sqr(two_deviations(static_cast<int>(i % kWidth))) / film.mean_samples();
+  }
+  EXPECT_LT(error2, .85 * uniform2) << "the error of uniform sampling with as many samples";
+}
+
+TEST(Progressive, AdaptiveMeansAreUnbiased) {
+  for (const NoisyPicture& picture : kNoisyPictures) {
+    double off = 0, variance = 0;
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      Film film(kWidth, 2 * kHeight, box());
+      render_noisy(picture, seed, film);
+      for (std::size_t i = 0; i < film.pixel_count(); ++i) {
+        off += film.estimate(i).mean - 1;
+        variance += sqr(picture.deviation(static_cast<int>(i % kWidth))) /
+                    static_cast<double>(film.samples(i));
+      }
+    }
+    // Four standard errors.
+    EXPECT_LT(std::abs(off), 4 * std::sqrt(variance)) << picture.name << ' ' << off;
+  }
+}
+
 TEST(Progressive, AFewPixelsWithoutEndDoNotKeepThePictureFromItsTarget) {
   Film film(kWidth, kHeight, box());
   Progressive run(film, {.max_samples = 1u << 12, .noise = .1f});
@@ -153,15 +241,17 @@ TEST(Progressive, WithoutTargetEveryPixelGetsTheRequestedSamples) {
 }
 
 TEST(Progressive, GoingOnFromAStateGivesTheSameBytes) {
-  const RenderBudget whole{.max_samples = 192, .noise = 0.05f};
-  RenderBudget half = whole;
-  half.max_samples = 48;
-  Film film(kWidth, kHeight, box());
-  Progressive first(film, half);
-  first.run(noisy_half);
-  Progressive second(film, whole, first.state());
-  second.run(noisy_half);
-  EXPECT_TRUE(same_bytes(film, rendered(0, whole)));
+  const RenderBudget budget{.max_samples = 192, .noise = 0.05f};
+  for (const int passes : {3, 6, 7}) {
+    Film film(kWidth, kHeight, box());
+    std::atomic<bool> cancel{false};
+    Progressive first(film, budget);
+    const auto stop = [&](const Progress& p) { cancel = p.pass == passes; };
+    EXPECT_EQ(first.run(noisy_half, {{}, stop}, &cancel), StopReason::Cancelled);
+    Progressive second(film, budget, first.state());
+    second.run(noisy_half);
+    EXPECT_TRUE(same_bytes(film, rendered(0, budget))) << passes;
+  }
 }
 
 TEST(Progressive, GoingOnFromAnInterruptedPassGivesTheSameBytes) {

@@ -229,9 +229,8 @@ void RenderSession::save(CheckpointWriter& out) {
   if (mattes_) mattes_->save(out, world_.materials);
   const Progressive::State& state = progressive_.state();
   out.value(state.pass);
-  out.value(state.target);
   out.value(progressive_.progress().elapsed);
-  out.array(state.active);
+  out.array(state.targets);
   RayCounts rays = rays_;
   if (rays_of_threads_) rays += rays_of_threads_();
   visit_counts(out, rays);
@@ -244,10 +243,9 @@ void RenderSession::restore(CheckpointReader& in) {
   if (mattes_) mattes_->restore(in, world_.materials, world_.instances.size());
   Progressive::State state;
   in.value(state.pass);
-  in.value(state.target);
   in.value(state.elapsed);
-  state.active.resize(film_.pixel_count());
-  in.array(state.active);
+  state.targets.resize(film_.pixel_count());
+  in.array(state.targets);
   visit_counts(in, rays_);
   in.end();
   if (!progressive_.restore(std::move(state))) throw CheckpointError("its pixels are invalid");

@@ -103,9 +103,9 @@ TEST_F(SessionState, RoundTripIsExact) {
     save(whole, "whole");
     std::string a = content("second"), b = content("whole");
     ASSERT_EQ(a.size(), b.size());
-    // The elapsed time, before pixels that are active and numbers of rays; and the checksum.
+    // The elapsed time, before the targets of pixels and numbers of rays; and the checksum.
     const std::size_t pixels = second.film().pixel_count();
-    const std::size_t time = a.size() - 7 * 8 - pixels - 8 - 8;
+    const std::size_t time = a.size() - 7 * 8 - 4 * pixels - 8 - 8;
     for (std::string* bytes : {&a, &b}) {
       bytes->replace(time, 8, 8, '\0');
       bytes->replace(32, 8, 8, '\0');
@@ -114,7 +114,7 @@ TEST_F(SessionState, RoundTripIsExact) {
   }
 }
 
-// Stopped in the middle of a pass that leaves out pixels: which ones, is not in the film.
+// Stopped in the middle of a pass that leaves out pixels. The film does not contain which ones.
 TEST_F(SessionState, AdaptivePassesContinue) {
   SceneText scene = room("path");
   scene.camera("focal 1 aperture 1 aspect 1 resolution 40 40");
