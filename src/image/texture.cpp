@@ -6,6 +6,7 @@
 #include <exception>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "base/input_files.h"
 #include "image/module.h"
@@ -29,25 +30,42 @@ std::atomic<bool> has_module{false};
 
 }  // namespace
 
+TextureSystem::Entry& TextureSystem::opened_entry(const std::string& path, float gamma,
+                                                  std::uint64_t most_tile_bytes) {
+  std::unique_lock lock(mutex_);
+  Entry& entry = textures_[{path, gamma}];
+  lock.unlock();
+  std::call_once(entry.once, [&] {
+    if (is_pattern(path)) {
+      entry.message = "cannot open texture '" + path +
+                      "': its name contains ?, <UDIM> or another mark of a pattern; rename it";
+      return;
+    }
+    try {
+      FilesModule& module = files_module();
+      has_module = true;
+      module.set_source_opener(readers_are_isolated() ? open_isolated : PixelSourceOpener());
+      module.set_cache_megabytes(cache_megabytes);
+      entry.texture = module.open_texture(path, gamma, most_tile_bytes);
+    } catch (const std::exception& e) {
+      entry.message = "cannot open texture '" + path + "': " + e.what();
+    }
+  });
+  return entry;
+}
+
 TextureSystem::Opened TextureSystem::open(const std::string& path, float gamma,
                                           std::uint64_t most_tile_bytes) {
   note_input_file(path, InputKind::Frame);
+  Entry& entry = opened_entry(path, gamma, most_tile_bytes);
   const std::lock_guard lock(mutex_);
-  const auto [entry, is_new] = textures_.try_emplace({path, gamma}, nullptr);
-  if (!is_new) return {entry->second.get(), {}};
-  if (is_pattern(path))
-    return {nullptr, "cannot open texture '" + path +
-                         "': its name contains ?, <UDIM> or another mark of a pattern; rename it"};
-  try {
-    FilesModule& module = files_module();
-    has_module = true;
-    module.set_source_opener(readers_are_isolated() ? open_isolated : PixelSourceOpener());
-    module.set_cache_megabytes(cache_megabytes);
-    entry->second = module.open_texture(path, gamma, most_tile_bytes);
-    return {entry->second.get(), {}};
-  } catch (const std::exception& e) {
-    return {nullptr, "cannot open texture '" + path + "': " + e.what()};
-  }
+  const bool first = !std::exchange(entry.reported, true);
+  return {entry.texture.get(), first ? entry.message : std::string()};
+}
+
+void TextureSystem::open_ahead(const std::string& path, float gamma,
+                               std::uint64_t most_tile_bytes) {
+  opened_entry(path, gamma, most_tile_bytes);
 }
 
 void TextureSystem::set_cache_megabytes(float megabytes) {

@@ -107,14 +107,25 @@ class TextureSystem {
   ///          most_tile_bytes: maximum size of a tile or strip of the file in memory.
   /// Checked: FileTexture.*
   Opened open(const std::string& path, float gamma = 1, std::uint64_t most_tile_bytes = UINT64_MAX);
+  /// Opens a file that open() will be called for with the same arguments. Thread-safe; files are
+  /// opened at the same time.
+  void open_ahead(const std::string& path, float gamma, std::uint64_t most_tile_bytes);
 
   /// Size of the tile cache in MB (default 1024, minimum 16), shared by all systems of the process.
   /// Takes effect when the next texture is opened.
   static void set_cache_megabytes(float megabytes);
 
  private:
+  struct Entry {
+    std::once_flag once;
+    std::unique_ptr<Texture> texture;
+    std::string message;
+    bool reported = false;
+  };
+  Entry& opened_entry(const std::string& path, float gamma, std::uint64_t most_tile_bytes);
+
   std::mutex mutex_;
-  std::map<std::pair<std::string, float>, std::unique_ptr<Texture>> textures_;
+  std::map<std::pair<std::string, float>, Entry> textures_;
 };
 
 }  // namespace oriel

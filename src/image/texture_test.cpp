@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <random>
 #include <thread>
@@ -73,6 +74,21 @@ class TextureTest : public ::testing::TestWithParam<const char*> {
 
 INSTANTIATE_TEST_SUITE_P(Sources, TextureTest, ::testing::Values("file", "memory"),
                          [](const auto& source) { return std::string(source.param); });
+
+TEST(FileTexture, AFileThatIsOpenedAheadIsReportedByTheFirstOpen) {
+  const TestFolder folder;
+  const std::string bad = folder.file("bad.png"), good = folder.file("good.png");
+  std::ofstream(bad) << "no picture";
+  write_image(good, Image(2, 2, 3));
+  TextureSystem ahead, plain;
+  for (const std::string& path : {bad, good, good}) ahead.open_ahead(path, 1, UINT64_MAX);
+  const auto expected = plain.open(bad), first = ahead.open(bad), second = ahead.open(bad);
+  EXPECT_EQ(first.texture, nullptr);
+  EXPECT_FALSE(expected.message.empty());
+  EXPECT_EQ(first.message, expected.message);
+  EXPECT_EQ(second.message, "");
+  EXPECT_NE(ahead.open(good).texture, nullptr);
+}
 
 TEST_P(TextureTest, OriginIsLowerLeftAndTexelCentresAreExact) {
   const int w = 4, h = 3;

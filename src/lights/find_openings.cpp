@@ -2,6 +2,7 @@
 #include "lights/find_openings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/frame.h"
@@ -15,9 +16,12 @@
 namespace oriel {
 namespace {
 
-/// Camera rays along each side of the picture, and rays from each surface that they hit. About
-/// 130,000 rays.
-constexpr std::size_t kEyeRays = 32, kRaysPerPoint = 64;
+/// Maximum and minimum number of camera rays along each side of the picture, and rays from each
+/// surface that they hit. At most about 130,000 rays.
+constexpr std::size_t kMaxEyeRays = 32, kMinEyeRays = 16, kRaysPerPoint = 64;
+/// Pixels, along each side, for each camera ray. The search would take longer than the first pass
+/// of a small picture.
+constexpr float kPixelsPerEyeRay = 6;
 /// Shares of rays that reach the environment between which openings are searched. With less, light
 /// of the environment does not matter; with more, rays of lobes find it.
 constexpr float kMinEscaping = 0.0005f, kMaxEscaping = 0.3f;
@@ -49,14 +53,16 @@ geom::Ray ray_from(const Start& start, Vec2 u) {
 
 /// Surfaces that the camera sees, each followed by one that a diffuse ray from it hits.
 std::vector<Start> starts_of(const World& world) {
-  std::vector<Start> found(kEyeRays * kEyeRays * 2);
-  parallel_for(kEyeRays * kEyeRays, [&](std::size_t i) {
-    const auto x = static_cast<float>(i % kEyeRays), y = static_cast<float>(i / kEyeRays);
-    const Camera& camera = world.camera;
-    constexpr float kStep = 1.0f / kEyeRays;
-    const Camera::Ray eye =
-        camera.ray(Vec2((x + 0.5f) * kStep * static_cast<float>(camera.width),
-                        (y + 0.5f) * kStep * static_cast<float>(camera.height)));
+  const Camera& camera = world.camera;
+  const auto width = static_cast<float>(camera.width), height = static_cast<float>(camera.height);
+  const std::size_t side =
+      std::clamp(static_cast<std::size_t>(std::sqrt(width * height) / kPixelsPerEyeRay),
+                 kMinEyeRays, kMaxEyeRays);
+  std::vector<Start> found(side * side * 2);
+  parallel_for(side * side, [&](std::size_t i) {
+    const auto x = static_cast<float>(i % side), y = static_cast<float>(i / side);
+    const float step = 1 / static_cast<float>(side);
+    const Camera::Ray eye = camera.ray(Vec2((x + 0.5f) * step * width, (y + 0.5f) * step * height));
     geom::Ray ray;
     ray.org = eye.origin;
     ray.dir = eye.direction;
@@ -87,6 +93,27 @@ std::vector<RoomRay> rays_of(const World& world, const std::vector<Start>& start
   return rays;
 }
 
+struct BestCandidate {
+  OpeningCandidate candidate;
+  const OpeningPlane* plane = nullptr;
+  float side = 1;
+};
+
+/// The candidate with the highest score on either side of any plane; of equal ones the first.
+BestCandidate best_of(const std::vector<OpeningPlane>& planes, const std::vector<RoomRay>& rays,
+                      const std::vector<std::uint32_t>& escaping) {
+  std::vector<BestCandidate> sides(planes.size() * 2);
+  parallel_for(sides.size(), [&](std::size_t i) {
+    const OpeningPlane& plane = planes[i / 2];
+    const float side = i % 2 == 0 ? 1.0f : -1.0f;
+    sides[i] = {plane.best(rays, escaping, side), &plane, side};
+  });
+  BestCandidate best;
+  for (const BestCandidate& side : sides)
+    if (side.candidate.score > best.candidate.score) best = side;
+  return best;
+}
+
 /// Accepts candidates, the best first, until they explain most of the escaping rays.
 std::vector<OpeningRectangle> accepted(const std::vector<OpeningPlane>& planes,
                                        const std::vector<RoomRay>& rays,
@@ -95,15 +122,9 @@ std::vector<OpeningRectangle> accepted(const std::vector<OpeningPlane>& planes,
   std::vector<OpeningRectangle> found;
   while (found.size() < Openings::kMax &&
          static_cast<float>(escaping.size()) > (1 - kEnough) * total) {
-    OpeningCandidate best;
-    const OpeningPlane* on = nullptr;
-    float side = 1;
-    for (const OpeningPlane& plane : planes)
-      for (const float s : {1.0f, -1.0f})
-        if (const OpeningCandidate c = plane.best(rays, escaping, s); c.score > best.score)
-          best = c, on = &plane, side = s;
+    const auto [best, on, side] = best_of(planes, rays, escaping);
     if (!on || static_cast<float>(best.rays) < kMinGain * total) break;
-    std::erase_if(escaping, [&](std::uint32_t i) {
+    std::erase_if(escaping, [&, &best = best, &on = on, &side = side](std::uint32_t i) {
       const auto at = on->crossing(rays[i], side);
       return at && best.holds(*at);
     });

@@ -143,6 +143,20 @@ TEST(FindOpenings, ThereAreNoneWithPortalsInClosedRoomsAndOutdoors) {
   EXPECT_TRUE(with_portal.openings().empty());
 }
 
+// Small pictures have fewer rays.
+TEST(FindOpenings, SmallPicturesFindTheSameOpenings) {
+  Room room;
+  room.world().camera.width = 60;
+  room.world().camera.height = 40;
+  close(room, {kWindow}, {kDoor});
+  const Openings openings = room.openings();
+  ASSERT_EQ(openings.rectangles().size(), 2u);
+  for (const OpeningRectangle& r : openings.rectangles())
+    EXPECT_LT(std::abs(r.inward.x) > .9f ? difference(room, r, 0, -2, kWindow)
+                                         : difference(room, r, 1, -2.5f, kDoor),
+              .2f);
+}
+
 TEST(FindOpenings, AreTheSameForAnyNumberOfThreads) {
   const auto corner = [](int threads) {
     const ThreadLimit limit(threads);

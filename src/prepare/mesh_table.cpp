@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <memory>
 
 #include "base/parallel.h"
 #include "geom/motion.h"
@@ -30,9 +31,28 @@ std::size_t triangles_in_file(const scene::Object& object) {
   return count;
 }
 
+/// Messages of a task that ran in parallel with others; null if there are none.
+using TaskMessages = std::unique_ptr<Diagnostics>;
+
+/// Runs the task and returns what it reported.
+template <class Task>
+TaskMessages messages_of(const Task& task) {
+  auto messages = std::make_unique<Diagnostics>();
+  task(*messages);
+  return messages->all().empty() ? nullptr : std::move(messages);
+}
+
+void report(const TaskMessages& messages, Diagnostics& to) {
+  if (!messages) return;
+  for (const Diagnostic& d : messages->all())
+    to.report(d.severity, d.code, d.where, d.message, d.hint);
+}
+
+}  // namespace
+
 /// Triangles that displacement may add. The meshes are refined in order; each may take all that is
 /// left, except for a small share of the later ones.
-class RefinementBudget {
+class MeshTable::RefinementBudget {
  public:
   RefinementBudget(std::uint64_t most, std::uint64_t used, const std::vector<MeshVariant>& variants)
       : left_(most - std::min(most, used)) {
@@ -40,6 +60,8 @@ class RefinementBudget {
     constexpr std::uint64_t kShare = 65536;
     share_ = later_ > 0 ? std::min(kShare, left_ / later_) : 0;
   }
+  /// An equal share; next() is not below it while no mesh takes more.
+  std::size_t each() const { return later_ > 0 ? static_cast<std::size_t>(left_ / later_) : 0; }
   std::size_t next() const {
     const std::uint64_t others = later_ > 1 ? (later_ - 1) * share_ : 0;
     return static_cast<std::size_t>(left_ - std::min(left_, others));
@@ -68,7 +90,13 @@ class RefinementBudget {
   const scene::Object* first_ = nullptr;
 };
 
-}  // namespace
+/// A displaced mesh that was made in parallel with others.
+struct MeshTable::Displaced {
+  geom::Mesh mesh;
+  /// The limit of triangles did not affect it. If it did, `mesh` is empty.
+  bool complete = false;
+  TaskMessages messages;
+};
 
 MeshTable::MeshTable(const scene::Scene& scene, TessellationPlan plan, World& world,
                      GeometryCache& cache, Diagnostics& diagnostics)
@@ -104,16 +132,20 @@ std::uint64_t MeshTable::subdivided() const {
 bool MeshTable::make_all(std::uint64_t most, Diagnostics& diagnostics) {
   // The sum decides, not the order: the result does not depend on the threads.
   std::atomic<std::uint64_t> generated = 0;
+  std::vector<TaskMessages> messages(size());
   parallel_for(size(), [&](std::size_t i) {
     if (kept_[i] || generated > most) return;
-    meshes_[i] = make(i, diagnostics);
+    messages[i] = messages_of([&](Diagnostics& own) { meshes_[i] = make(i, own); });
     if (surfaces_of(*plan_.jobs[i].object) == 0) return;
     const std::size_t written = triangles_in_file(*plan_.jobs[i].object);
     const std::size_t all = meshes_[i].triangles.size();
     generated += all - std::min(all, written);
   });
   generated_ = generated;
-  return generated <= most;
+  // Otherwise all objects are made again, and report again.
+  if (generated > most) return false;
+  for (const TaskMessages& of_job : messages) report(of_job, diagnostics);
+  return true;
 }
 
 void MeshTable::limit_surfaces() {
@@ -141,28 +173,70 @@ const std::vector<geom::MaterialSlot>& MeshTable::slots(std::size_t job) const {
   return kept_[job] ? world_.accel->mesh(*kept_[job]).slots : meshes_[job].slots;
 }
 
+std::vector<MeshTable::Displaced> MeshTable::displace_all(const std::vector<MeshVariant>& variants,
+                                                          const std::vector<std::size_t>& uses,
+                                                          std::size_t most) {
+  std::vector<std::size_t> tasks;
+  for (std::size_t i = 0; i < variants.size(); ++i)
+    if (!variants[i].displacement.empty()) tasks.push_back(i);
+  std::vector<Displaced> made(variants.size());
+  parallel_for(tasks.size(), [&](std::size_t task) {
+    const MeshVariant& v = variants[tasks[task]];
+    Displaced& result = made[tasks[task]];
+    result.messages = messages_of([&](Diagnostics& own) {
+      geom::Mesh mesh = kept_[v.job]       ? make(v.job, own)
+                        : uses[v.job] == 1 ? std::move(meshes_[v.job])
+                                           : meshes_[v.job];
+      result.complete = refine_for_displacement(mesh, v.displacement, *v.first,
+                                                plan_.jobs[v.job].context, world_, most, own);
+      if (!result.complete) return;
+      displace(mesh, v.displacement, *v.first, world_, own);
+      result.mesh = std::move(mesh);
+    });
+  });
+  return made;
+}
+
+geom::Mesh MeshTable::displaced_mesh(const MeshVariant& v, Displaced made, std::size_t each,
+                                     RefinementBudget& left) {
+  // Limits that a mesh does not reach do not affect it.
+  const std::size_t most = left.next();
+  const bool in_reach = each < kMaxMicroTriangles && made.mesh.triangles.size() <= most;
+  if (made.complete && (most >= each || in_reach)) {
+    report(made.messages, diagnostics_);
+    return std::move(made.mesh);
+  }
+  Diagnostics reported_before;
+  geom::Mesh mesh = make(v.job, kept_[v.job] ? diagnostics_ : reported_before);
+  if (!refine_for_displacement(mesh, v.displacement, *v.first, plan_.jobs[v.job].context, world_,
+                               most, diagnostics_))
+    left.count_limited(*plan_.jobs[v.job].object);
+  displace(mesh, v.displacement, *v.first, world_, diagnostics_);
+  return mesh;
+}
+
 void MeshTable::add(std::vector<MeshVariant>& variants, PrepareReport& report) {
   std::vector<std::size_t> uses(size());
   for (const MeshVariant& v : variants) ++uses[v.job];
   RefinementBudget left(world_.budgets[Budget::Triangles], generated_, variants);
+  // In parallel, each within its share; what needs more is made again in order.
+  const std::size_t each = left.each();
+  std::vector<Displaced> displaced = displace_all(variants, uses, each);
   std::map<std::string, std::vector<GeometryCache::Form>, std::less<>> forms;
   cache_.reused = 0;
-  for (MeshVariant& v : variants) {
-    // Copied unless this is the last use.
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    MeshVariant& v = variants[i];
     const bool last = --uses[v.job] == 0;
     const bool plain = v.displacement.empty();
     if (plain && kept_[v.job]) {
       v.id = *kept_[v.job];
       ++cache_.reused;
     } else {
-      geom::Mesh mesh = kept_[v.job] ? make(v.job, diagnostics_)
-                        : last       ? std::move(meshes_[v.job])
-                                     : meshes_[v.job];
-      if (!refine_for_displacement(mesh, v.displacement, *v.first, plan_.jobs[v.job].context,
-                                   world_, left.next(), diagnostics_))
-        left.count_limited(*plan_.jobs[v.job].object);
+      // A plain mesh is copied unless this is its last use.
+      geom::Mesh mesh = !plain ? displaced_mesh(v, std::move(displaced[i]), each, left)
+                        : last ? std::move(meshes_[v.job])
+                               : meshes_[v.job];
       left.take(mesh, v);
-      displace(mesh, v.displacement, *v.first, world_, diagnostics_);
       v.id = world_.accel->add_mesh(with_keys(std::move(mesh)));
     }
     report.triangles += world_.accel->mesh(v.id).triangles.size();

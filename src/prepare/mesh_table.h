@@ -40,6 +40,9 @@ class MeshTable {
   void commit();
 
  private:
+  class RefinementBudget;
+  struct Displaced;
+
   GeometryCache::Form form_of(const TessellationJob& job) const;
   std::optional<geom::MeshId> kept_mesh(const TessellationJob& job) const;
   /// Triangles of subdivision surfaces, which are known before they are made.
@@ -49,6 +52,13 @@ class MeshTable {
   bool make_all(std::uint64_t most, Diagnostics& diagnostics);
   /// Limits all surfaces, so that together they stay within the budget.
   void limit_surfaces();
+  /// Displaces the variants in parallel, each with at most `most` triangles. `uses`: variants of
+  /// each job.
+  std::vector<Displaced> displace_all(const std::vector<MeshVariant>& variants,
+                                      const std::vector<std::size_t>& uses, std::size_t most);
+  /// The mesh as displaced one after the other: `made`, unless its limit `each` affected it.
+  geom::Mesh displaced_mesh(const MeshVariant& v, Displaced made, std::size_t each,
+                            RefinementBudget& left);
   geom::Mesh make(std::size_t job, Diagnostics& diagnostics) const;
   geom::Mesh with_keys(geom::Mesh mesh) const;
 

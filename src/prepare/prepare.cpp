@@ -12,6 +12,7 @@
 #include "prepare/generated_geometry.h"
 #include "prepare/prepare_light_layers.h"
 #include "prepare/prepare_parts.h"
+#include "prepare/textures_ahead.h"
 #include "runtime/color_mapping.h"
 #include "runtime/fallback_shader.h"
 #include "scene/render_options.h"
@@ -125,6 +126,8 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
     return nullptr;
 
   world->user_buffers = user_buffers(world->options, *camera);
+  const TexturesAhead textures(scene, used_textures(scene, *camera, leaves), world->texture_system,
+                               world->options.gamma);
   const LightNames light_names = place_lights(leaves, *world, diagnostics);
   Binder binder(scene, registry, *world, light_names, diagnostics);
   bind_lights(leaves, binder, *world, diagnostics);

@@ -12,6 +12,11 @@ namespace {
 /// Replaces textures that cannot be read.
 const Rgba kMissing(1, 0, 1, 1);
 
+/// Vector textures do not contain light.
+float gamma_of(const scene::Texture& element, float gamma) {
+  return element.type == scene::ParamType::VectorTexture ? 1 : gamma;
+}
+
 }  // namespace
 
 std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element,
@@ -21,8 +26,7 @@ std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element,
   // Every texture is filtered: mental ray's `filter` selected a pyramid for speed, and unfiltered
   // look-ups only alias. Its number scales the blur.
   node->filter_ = element.filter.value_or(1.0f);
-  // Vector textures do not contain light.
-  if (element.type == scene::ParamType::VectorTexture) gamma = 1;
+  gamma = gamma_of(element, gamma);
   std::string why, file, permission;  // file: that does not exist
   if (!element.pixels.empty() && element.size.size() >= 2) {
     const int components = element.size.size() > 2 ? element.size[2] : 3;
@@ -55,6 +59,13 @@ std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element,
                         std::move(hint));
   }
   return node;
+}
+
+void TextureNode::open_ahead(const scene::Texture& element, const scene::Scene& scene,
+                             TextureSystem& system, float gamma) {
+  const std::string path = scene::find_asset(element.file, element.directory, scene.files);
+  if (const OpenFile source = scene.files.open(path, FileUse::Asset))
+    system.open_ahead(source.path(), gamma_of(element, gamma), scene.budgets[Budget::TextureTile]);
 }
 
 Rgba TextureNode::lookup(const Vec2& uv, ShadingPoint& point, const TextureSampling& how) const {

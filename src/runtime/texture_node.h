@@ -26,6 +26,9 @@ class TextureNode {
   static std::unique_ptr<TextureNode> open(const scene::Texture& element, const scene::Scene& scene,
                                            TextureSystem& system, float gamma,
                                            Diagnostics& diagnostics);
+  /// Opens a file that open() will be called for, without reporting anything. Thread-safe.
+  static void open_ahead(const scene::Texture& element, const scene::Scene& scene,
+                         TextureSystem& system, float gamma);
 
   bool missing() const { return procedure_.empty() && !texture_; }
   /// The shaders of a procedural texture; empty for pictures.

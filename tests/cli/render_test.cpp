@@ -38,6 +38,53 @@ TEST_F(RenderProgram, OneAndTwoThreadsGiveTheSameBytes) {
   EXPECT_TRUE(one == two);
 }
 
+// Displaced and textured objects are prepared in parallel, and so are gather points.
+TEST_F(RenderProgram, ThreadsChangeNeitherPreparedScenesNorMessages) {
+  std::string text =
+      "options \"opt\" object space trace depth 2 2 4 finalgather accuracy 20 end options\n"
+      "camera \"cam\" focal 1 aperture 1 aspect 1.5 resolution 24 16 end camera\n"
+      "instance \"cam_inst\" \"cam\" end instance\n"
+      "light \"lamp\" \"mib_light_point\" ( \"color\" 1 1 1 ) origin 0 1 0 end light\n"
+      "instance \"lamp_inst\" \"lamp\" end instance\n";
+  std::string members;
+  for (int i = 0; i < 12; ++i) {
+    const std::string n = std::to_string(i);
+    Image image(8, 8, 3);
+    for (std::size_t k = 0; k < image.pixels.size(); ++k)
+      image.pixels[k] = static_cast<float>((k * 7 + static_cast<std::size_t>(i) * 5) % 11) / 11;
+    // A third of the files is missing.
+    if (i % 3 != 0) write_image(file("t" + n + ".png"), image);
+    text += "color texture \"t" + n + "\" \"t" + n + ".png\"\n" + "shader \"uv" + n +
+            "\" \"mib_texture_vector\" ( \"select\" 0 )\n" + "shader \"look" + n +
+            "\" \"mib_texture_lookup\" ( \"tex\" \"t" + n + "\", \"coord\" = \"uv" + n + "\" )\n" +
+            "material \"m" + n + "\" \"mib_illum_lambert\" ( \"diffuse\" = \"look" + n + "\" )\n" +
+            "displace \"mib_texture_turbulence\" ( \"coord\" = \"uv" + n + "\" ) end material\n" +
+            "object \"o" + n + "\" visible trace shadow max displace .1 group\n" +
+            "0 0 0 1 0 0 1 1 0 0 1 0 0 0 0 1 0 0 1 1 0 0 1 0\n" +
+            "v 0 t 4 v 1 t 5 v 2 t 6 v 3 t 7 p 0 1 2 3 p 0 0 0\n" +
+            "approximate displace parametric 4 end group end object\n" + "instance \"i" + n +
+            "\" \"o" + n + "\" material [ \"m" + n + "\" ] transform 1 0 0 0 0 1 0 0 0 0 1 0 " +
+            std::to_string(2 - i % 4) + " " + std::to_string(1.5 - i / 4) + " 4 1 end instance\n";
+    members += "\"i" + n + "\" ";
+  }
+  write("many.mi", text + "instgroup \"root\" \"cam_inst\" \"lamp_inst\" " + members +
+                       " end instgroup\nrender \"root\" \"cam_inst\" \"opt\"\n");
+  const auto render = [&](const std::string& threads) {
+    const RunResult r =
+        run({"render", "many.mi", "-o", "a.exr", "--samples", "2", "-q", "--threads", threads});
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    return std::pair(bytes_of(file("a.exr")), r.err);
+  };
+  const auto [picture, messages] = render("1");
+  EXPECT_NE(messages.find("t3.png"), std::string::npos) << messages;
+  EXPECT_NE(messages.find("displacement reaches"), std::string::npos) << messages;
+  for (const char* threads : {"2", "3"}) {
+    const auto [other, other_messages] = render(threads);
+    EXPECT_TRUE(other == picture) << threads;
+    EXPECT_EQ(other_messages, messages) << threads;
+  }
+}
+
 TEST_F(RenderProgram, SeedsGiveOtherNoise) {
   for (const char* seed : {"0", "1"})
     EXPECT_EQ(run({"render", "scene.mi", "-o", std::string(seed) + ".exr", "--samples", "2",

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
+#include <cstdint>
+#include <span>
 #include <utility>
 
 #include "base/math.h"
@@ -38,6 +39,8 @@ constexpr double kMaxTail = 9;
 /// Points of the first batch. Each batch has twice as many as the one before, so that few points of
 /// one batch lie side by side.
 constexpr std::size_t kFirstBatch = 64;
+/// Points whose cover is tested by one task.
+constexpr std::size_t kTestedAtOnce = 64;
 /// Stream numbers of the two kinds of rays.
 constexpr int kFeelerColumn = 0x66656c, kRecordColumn = 0x726563;
 
@@ -68,12 +71,10 @@ class BounceSolver {
     std::size_t batch = kFirstBatch;
     for (std::size_t begin = 0; begin < met.size() && !monitor_.cancelled();) {
       const std::size_t end = std::min(met.size(), begin + batch);
+      const std::vector<std::uint8_t> covered = cover_of({met.data() + begin, end - begin});
       std::vector<GatherPoint> wanted;
-      for (std::size_t i = begin; i < end; ++i) {
-        if (points_.size() + wanted.size() >= kMaxPoints) break;
-        if (!cache_.interpolate(query_at(cover_, met[i].point, met[i].normal)))
-          wanted.push_back(met[i]);
-      }
+      for (std::size_t i = begin; i < end && points_.size() + wanted.size() < kMaxPoints; ++i)
+        if (!covered[i - begin]) wanted.push_back(met[i]);
       const std::vector<GatherRecord> made = gather(wanted, points_.size());
       cache_.insert(made);
       cache_.settle_radii();
@@ -128,6 +129,18 @@ class BounceSolver {
   }
 
  private:
+  /// Whether the current records cover each point.
+  std::vector<std::uint8_t> cover_of(std::span<const GatherPoint> points) const {
+    std::vector<std::uint8_t> covered(points.size());
+    parallel_for((points.size() + kTestedAtOnce - 1) / kTestedAtOnce, [&](std::size_t block) {
+      const std::size_t end = std::min(points.size(), (block + 1) * kTestedAtOnce);
+      for (std::size_t i = block * kTestedAtOnce; i < end; ++i)
+        covered[i] =
+            cache_.interpolate(query_at(cover_, points[i].point, points[i].normal)).has_value();
+    });
+    return covered;
+  }
+
   /// Points hit by rays from other points. Of too many points, an evenly spaced subset is traced.
   std::vector<GatherPoint> feel(const std::vector<GatherPoint>& from, int generation) {
     const std::size_t step = from.size() / kMaxViewers + 1,
@@ -195,14 +208,14 @@ class BounceSolver {
   /// Runs the work in parallel and sums the ray counts.
   template <class Work>
   void each(std::size_t count, const Work& work) {
-    std::mutex mutex;
+    std::vector<RayCounts> counts(count);
     parallel_for(count, [&](std::size_t i) {
       if (monitor_.cancelled()) return;
       RayCounts mine;
       work(i, mine);
-      const std::lock_guard lock(mutex);
-      counts_ += mine;
+      counts[i] = mine;
     });
+    for (const RayCounts& own : counts) counts_ += own;
   }
 
   const World& world_;

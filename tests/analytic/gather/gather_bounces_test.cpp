@@ -2,6 +2,7 @@
 // Placement of the records of further bounces.
 #include "transport/gather/gather_bounces.h"
 
+#include "base/parallel.h"
 #include "support/probe.h"
 #include "transport/indirect_caches.h"
 
@@ -38,6 +39,44 @@ TEST(GatherBounces, VisibleRoomsHaveRecordsForAnyPointCount) {
   for (const GatherPoint& p : {here, other})
     EXPECT_TRUE(bounces.cache.interpolate(query_at(bounces.query, p.point, p.normal)))
         << p.point.position.x;
+}
+
+TEST(GatherBounces, RecordsAreTheSameForAnyNumberOfThreads) {
+  SceneText scene;
+  scene.lambert("grey", .7f).box("grey", Vec3(-1), Vec3(1), true);
+  scene.light("lamp", "\"physical_light\" ( \"color\" 10 10 10 ) origin 0 .3 .2");
+  const Probe probe(scene);
+  GatherSettings settings = gather_settings({}, probe.world().accel->bounds());
+  settings.path.diffuse_bounces = PathSettings::kAllBounces;
+  settings.rays = 32;
+  std::vector<GatherPoint> seen;
+  for (int i = 0; i < 300; ++i)
+    seen.push_back(
+        floor_point(probe.world(), Vec3(.06f * (i % 30) - .9f, .18f * (i / 30) - .9f, -1)));
+  struct Result {
+    std::vector<GatherRecord> records;
+    RayCounts counts;
+  };
+  const auto gathered = [&](int threads) {
+    const ThreadLimit limit(threads);
+    Result result;
+    result.records =
+        gather_bounces(probe.world(), seen, settings, 1, result.counts, {}).cache.records();
+    return result;
+  };
+  const Result one = gathered(1);
+  EXPECT_GT(one.records.size(), 100u);
+  EXPECT_GT(one.counts.gather, 32 * one.records.size());
+  for (const int threads : {2, 3}) {
+    const Result more = gathered(threads);
+    EXPECT_EQ(more.counts.gather, one.counts.gather);
+    EXPECT_EQ(more.counts.shadow, one.counts.shadow);
+    ASSERT_EQ(more.records.size(), one.records.size());
+    for (std::size_t i = 0; i < one.records.size(); ++i) {
+      EXPECT_EQ(more.records[i].position, one.records[i].position) << i;
+      EXPECT_EQ(more.records[i].irradiance, one.records[i].irradiance) << i;
+    }
+  }
 }
 
 // The same irradiance whether rays add what coarse records hold, or keep it as reads: on walls that
