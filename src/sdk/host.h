@@ -107,6 +107,14 @@ class Host {
   void* access(miTag tag);
   miScene_types type_of(miTag tag) const;
   std::size_t size_of_record(miTag tag);  ///< bytes
+  /// The structure of an element of that type; null if the tag is of another. Shaders create
+  /// elements of any type and size (mi_db_create), which may be too small for it. `least`: bytes of
+  /// its fixed part.
+  template <class T>
+  T* record_of(miTag tag, miScene_types type, std::size_t least = sizeof(T)) {
+    if (type_of(tag) != type || size_of_record(tag) < least) return nullptr;
+    return static_cast<T*>(access(tag));
+  }
   /// Recreates the C structure at the next access; the current one stays readable.
   void renew(miTag tag);
 

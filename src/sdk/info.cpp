@@ -14,9 +14,8 @@ extern "C" {
 void mi_instance_info(miTag instance, miTag* item, miTag* material, miMatrix global_to_local,
                       miMatrix local_to_global) {
   Host* host = current_host();
-  const miInstance* found = host && host->type_of(instance) == miSCENE_INSTANCE
-                                ? static_cast<const miInstance*>(host->access(instance))
-                                : nullptr;
+  const miInstance* found =
+      host ? host->record_of<miInstance>(instance, miSCENE_INSTANCE) : nullptr;
   if (item) *item = found ? found->item : miNULLTAG;
   if (material) *material = found ? found->material : miNULLTAG;
   if (global_to_local) {

@@ -98,8 +98,8 @@ bool query_declaration(miQ_type query, Host& host, const miState* state, miTag t
 }
 
 bool query_instance(miQ_type query, Host& host, miTag tag, void* result) {
-  auto* instance = static_cast<miInstance*>(host.access(tag));
-  if (!instance || host.type_of(tag) != miSCENE_INSTANCE) return false;
+  const auto* instance = host.record_of<miInstance>(tag, miSCENE_INSTANCE);
+  if (!instance) return false;
   switch (query) {
     case miQ_INST_ITEM:
       return write_result(result, instance->item);
@@ -142,8 +142,8 @@ bool query_instance(miQ_type query, Host& host, miTag tag, void* result) {
 }
 
 bool query_light(miQ_type query, Host& host, miTag tag, void* result) {
-  const auto* light = static_cast<miLight*>(host.access(tag));
-  if (!light || host.type_of(tag) != miSCENE_LIGHT) return false;
+  const auto* light = host.record_of<miLight>(tag, miSCENE_LIGHT);
+  if (!light) return false;
   const auto& shape = light->primitive;
   switch (query) {
     case miQ_LIGHT_TYPE:
@@ -190,8 +190,8 @@ bool query_light(miQ_type query, Host& host, miTag tag, void* result) {
 }
 
 bool query_material(miQ_type query, Host& host, miTag tag, void* result) {
-  const auto* material = static_cast<miMaterial*>(host.access(tag));
-  if (!material || host.type_of(tag) != miSCENE_MATERIAL) return false;
+  const auto* material = host.record_of<miMaterial>(tag, miSCENE_MATERIAL);
+  if (!material) return false;
   switch (query) {
     case miQ_MTL_SHADER:
       return write_result(result, material->shader);

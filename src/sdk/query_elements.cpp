@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sdk/query_elements.h"
 
+#include <cstddef>
+
 #include "sdk/call.h"
 #include "sdk/host.h"
 #include "sdk/made_record.h"
@@ -107,15 +109,14 @@ bool query_object(miQ_type query, Host& host, miTag tag, void* result) {
 }
 
 bool query_group(miQ_type query, Host& host, miTag tag, void* result, int index) {
-  const auto* group = static_cast<const miGroup*>(host.access(tag));
-  if (!group || host.type_of(tag) != miSCENE_GROUP) return false;
+  const auto* group = host.record_of<miGroup>(tag, miSCENE_GROUP, offsetof(miGroup, kids));
+  if (!group) return false;
   if (query == miQ_GROUP_NKIDS) return write_result(result, group->no_kids);
   return index >= 0 && index < group->no_kids && write_result(result, group->kids[index]);
 }
 
 bool query_data(miQ_type query, Host& host, miTag tag, void* result) {
-  if (host.type_of(tag) != miSCENE_USERDATA) return false;
-  auto* data = static_cast<miUserdata*>(host.access(tag));
+  auto* data = host.record_of<miUserdata>(tag, miSCENE_USERDATA, offsetof(miUserdata, parameters));
   if (!data) return false;
   switch (query) {
     case miQ_DATA_DECL:
