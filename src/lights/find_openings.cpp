@@ -2,7 +2,6 @@
 #include "lights/find_openings.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/frame.h"
@@ -16,12 +15,9 @@
 namespace oriel {
 namespace {
 
-/// Maximum and minimum number of camera rays along each side of the picture, and rays from each
-/// surface that they hit. At most about 130,000 rays.
-constexpr std::size_t kMaxEyeRays = 32, kMinEyeRays = 16, kRaysPerPoint = 64;
-/// Pixels, along each side, for each camera ray. The search would take longer than the first pass
-/// of a small picture.
-constexpr float kPixelsPerEyeRay = 6;
+/// Camera rays along each side of the picture, and rays from each surface that they hit. About
+/// 130,000 rays.
+constexpr std::size_t kEyeRays = 32, kRaysPerPoint = 64;
 /// Shares of rays that reach the environment between which openings are searched. With less, light
 /// of the environment does not matter; with more, rays of lobes find it.
 constexpr float kMinEscaping = 0.0005f, kMaxEscaping = 0.3f;
@@ -55,14 +51,12 @@ geom::Ray ray_from(const Start& start, Vec2 u) {
 std::vector<Start> starts_of(const World& world) {
   const Camera& camera = world.camera;
   const auto width = static_cast<float>(camera.width), height = static_cast<float>(camera.height);
-  const std::size_t side =
-      std::clamp(static_cast<std::size_t>(std::sqrt(width * height) / kPixelsPerEyeRay),
-                 kMinEyeRays, kMaxEyeRays);
-  std::vector<Start> found(side * side * 2);
-  parallel_for(side * side, [&](std::size_t i) {
-    const auto x = static_cast<float>(i % side), y = static_cast<float>(i / side);
-    const float step = 1 / static_cast<float>(side);
-    const Camera::Ray eye = camera.ray(Vec2((x + 0.5f) * step * width, (y + 0.5f) * step * height));
+  std::vector<Start> found(kEyeRays * kEyeRays * 2);
+  parallel_for(kEyeRays * kEyeRays, [&](std::size_t i) {
+    const auto x = static_cast<float>(i % kEyeRays), y = static_cast<float>(i / kEyeRays);
+    constexpr float kStep = 1.0f / kEyeRays;
+    const Camera::Ray eye =
+        camera.ray(Vec2((x + 0.5f) * kStep * width, (y + 0.5f) * kStep * height));
     geom::Ray ray;
     ray.org = eye.origin;
     ray.dir = eye.direction;
