@@ -53,7 +53,8 @@ std::vector<Start> starts_of(const World& world) {
   const auto width = static_cast<float>(camera.width), height = static_cast<float>(camera.height);
   std::vector<Start> found(kEyeRays * kEyeRays * 2);
   parallel_for(kEyeRays * kEyeRays, [&](std::size_t i) {
-    const auto x = static_cast<float>(i % kEyeRays), y = static_cast<float>(i / kEyeRays);
+    const std::size_t column = i % kEyeRays, row = i / kEyeRays;
+    const auto x = static_cast<float>(column), y = static_cast<float>(row);
     constexpr float kStep = 1.0f / kEyeRays;
     const Camera::Ray eye =
         camera.ray(Vec2((x + 0.5f) * kStep * width, (y + 0.5f) * kStep * height));
@@ -169,6 +170,7 @@ Openings find_openings(const World& world, const EnvironmentLight& environment) 
 
   const std::vector<RoomPlane> planes = room_planes(rays, box);
   std::vector<OpeningPlane> candidates;
+  candidates.reserve(planes.size());
   for (const RoomPlane& plane : planes) candidates.emplace_back(plane, planes, box);
   std::vector<OpeningRectangle> found = accepted(candidates, rays, std::move(escaping));
   if (!environment.table().constant()) add_tables(world, environment.table().detailed(), found);

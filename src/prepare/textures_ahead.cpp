@@ -85,6 +85,9 @@ std::vector<std::string> used_textures(const scene::Scene& scene, const scene::C
 }
 
 struct TexturesAhead::Tasks {
+  Tasks(const scene::Scene& of, std::vector<std::string> wanted, TextureSystem& opener, float g)
+      : scene(of), names(std::move(wanted)), system(opener), gamma(g) {}
+
   const scene::Scene& scene;
   std::vector<std::string> names;
   TextureSystem& system;
@@ -99,7 +102,7 @@ struct TexturesAhead::Tasks {
 TexturesAhead::TexturesAhead(const scene::Scene& scene, std::vector<std::string> names,
                              TextureSystem& system, float gamma) {
   if (names.empty()) return;
-  tasks_.reset(new Tasks{scene, std::move(names), system, gamma, {}});
+  tasks_ = std::make_unique<Tasks>(scene, std::move(names), system, gamma);
   tasks_->group.run([tasks = tasks_.get()] {
     tasks->open(0);
     parallel_for(tasks->names.size() - 1, [&](std::size_t i) { tasks->open(i + 1); });

@@ -33,7 +33,7 @@ std::uint32_t samples_for(const PixelDemand& pixel, double factor, const Allocat
   const double wanted = factor * std::sqrt(double{pixel.variance});
   if (!(wanted > pixel.samples)) return pixel.samples;
   if (wanted >= most) return most;
-  const auto blocks = static_cast<std::uint32_t>(wanted / kMinJudgedSamples + .5);
+  const auto blocks = static_cast<std::uint32_t>(std::lround(wanted / kMinJudgedSamples));
   return std::clamp(blocks * kMinJudgedSamples, pixel.samples, most);
 }
 
