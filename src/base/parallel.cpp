@@ -6,7 +6,9 @@
 #include <tbb/parallel_for.h>
 #include <xmmintrin.h>
 
+#include <algorithm>
 #include <atomic>
+#include <exception>
 #include <thread>
 #include <vector>
 

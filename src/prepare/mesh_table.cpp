@@ -142,7 +142,7 @@ bool MeshTable::make_all(std::uint64_t most, Diagnostics& diagnostics) {
     generated += all - std::min(all, written);
   });
   generated_ = generated;
-  // Otherwise all objects are made again, and report again.
+  // Beyond the budget, all objects are tessellated again with limits, and report then.
   if (generated > most) return false;
   for (const TaskMessages& of_job : messages) report(of_job, diagnostics);
   return true;
@@ -199,7 +199,7 @@ std::vector<MeshTable::Displaced> MeshTable::displace_all(const std::vector<Mesh
 
 geom::Mesh MeshTable::displaced_mesh(const MeshVariant& v, Displaced made, std::size_t each,
                                      RefinementBudget& left) {
-  // Limits that a mesh does not reach do not affect it.
+  // A limit has no effect on a mesh that stays below it.
   const std::size_t most = left.next();
   const bool in_reach = each < kMaxMicroTriangles && made.mesh.triangles.size() <= most;
   if (made.complete && (most >= each || in_reach)) {

@@ -133,7 +133,9 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   bind_lights(leaves, binder, *world, diagnostics);
   // The environment is bound before the materials; it does not depend on them.
   world->environment = binder.bind(camera->environment);
-  for (const auto& texture : world->textures) texture->keep_pixels();
+  // Reports look at a few directions of the environment only.
+  if (!options.coarse_tables)
+    for (const auto& texture : world->textures) texture->keep_pixels();
   EnvironmentLight environment(*world);
   if (const auto* block = scene.get<scene::Options>(command.options))
     bind_state_shaders(*block, binder, *world, diagnostics);

@@ -349,7 +349,7 @@ StopReason Progressive::run_rows(const std::function<std::uint64_t(const Row&)>&
   last_report_ = elapsed();
   estimate(0, 0);
 
-  // An interrupted pass is completed first, with its targets.
+  // An interrupted pass is completed first, with the sample numbers that it was to reach.
   bool chosen = !pass_is_complete();
   std::optional<StopReason> stop;
   while (!stop) {

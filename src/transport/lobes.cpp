@@ -41,10 +41,10 @@ auto with_bsdf(const Lobe& lobe, F&& f) {
   }
 }
 
-/// Most surfaces scatter like this alone, which needs neither local frames nor other lobes.
+/// Most surfaces have one lobe of this kind. Its value and density need no local frame.
 bool is_lambert(const Lobe& lobe) { return lobe.kind == LobeKind::Diffuse && lobe.roughness == 0; }
 
-/// The factor of a Lambert lobe beside its density cos / pi.
+/// The value of a Lambert lobe, divided by its weight and by cos / pi.
 float lambert_factor(const Lobe& lobe, const ShadingPoint& point, const Vec3& wi) {
   return bsdf::soft_terminator(point.geometric_normal, lobe.frame.n, wi);
 }

@@ -2,7 +2,8 @@
 // The finest level of a texture file in memory, for look-ups without footprint.
 #pragma once
 
-#include <memory>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "image/texture.h"
@@ -12,7 +13,7 @@ namespace oriel::oiio {
 /// Decoded pixels, row after row from the top.
 class KeptPixels {
  public:
-  /// Larger pictures are not kept: 4096 x 2048 pixels of three channels.
+  /// The size of 4096 x 2048 pixels with three channels. Larger pictures are not kept.
   static constexpr std::size_t kMostBytes = std::size_t{96} << 20;
 
   KeptPixels(int width, int height, int channels, std::vector<float> values)
@@ -20,9 +21,8 @@ class KeptPixels {
 
   /// Interpolates bilinearly, as OpenImageIO does at its finest level.
   ///
-  /// Inputs:  u, v: after wrapped(), v from the top; wrap_u, wrap_v: of the texels beyond the
-  /// border.
-  ///          channels: of `out`, at most those of the file.
+  /// Inputs:  u, v: after wrapped(), v from the top; wrap_u, wrap_v: for texels beyond the border;
+  ///          channels: number of values of `out`, at most those of the file.
   /// Checked: FileTexture.KeptPixelsGiveTheSameValues
   void sample(float u, float v, Wrap wrap_u, Wrap wrap_v, int channels, float* out) const;
 
