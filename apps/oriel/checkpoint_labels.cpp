@@ -69,6 +69,7 @@ CheckpointLabels option_labels(const RenderArguments& a) {
           {"--size", a.size},
           {"--crop", a.crop},
           {"--gi", a.gi},
+          {"--no-guiding", a.no_guiding ? "on" : "off"},
           {"layers", a.layers},
           {"--light-group", fmt::format("{}", fmt::join(a.light_groups, "; "))},
           {"--clamp", fmt::format("{}", a.clamp)},

@@ -124,6 +124,8 @@ Command add_render_command(CLI::App& program) {
       "--gi", a->gi,
       "Method of indirect light: path, path+cache, fg, photons, fg+photons or scene (default "
       "scene)");
+  app->add_flag("--no-guiding", a->no_guiding,
+                "Paths do not learn where light comes from; the mean is the same");
   app->add_option("--size", a->size, "Size of the picture (default: from the camera)")
       ->type_name("WxH");
   app->add_option("--crop", a->crop,

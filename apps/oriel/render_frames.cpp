@@ -134,6 +134,7 @@ class FrameRenderer {
     sdk::report_missing_roles(scene_, command, find_camera(scene_, command, plan_.prepare.camera),
                               world_->options.lens, world_->options.output, *host_, diagnostics_);
     if (plan_.gi) world_->options.indirect = *plan_.gi;
+    if (!plan_.guiding) world_->options.guiding = false;
     choose_files(command, frame);
     for (PictureFile& file : files_) file.path = eye_path(file.path, eye);
     check_exposures(*world_, files_, diagnostics_);

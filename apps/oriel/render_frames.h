@@ -39,7 +39,7 @@ struct RenderArguments {
   bool live = false;  ///< passes are written to the files themselves
   bool denoise = false, linear = false, json = false, quiet = false;
   std::string denoiser;  ///< see denoiser_of()
-  bool keep_outliers = false;
+  bool keep_outliers = false, no_guiding = false;
   float clamp = 0;  ///< SessionSettings::clamp
   std::string exr;  ///< precision and compression of EXR files
   bool timestamps = false;
@@ -53,6 +53,7 @@ struct RenderPlan {
   SessionSettings session;
   std::optional<LayerSet> layers;
   std::optional<scene::IndirectMethod> gi;
+  bool guiding = true;  ///< false: overrides the scene
   std::optional<sky::SolarPosition> sun;
   std::optional<int> matte_ranks;
   std::optional<ExrPrecision> precision;

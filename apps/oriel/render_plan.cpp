@@ -89,6 +89,7 @@ void parse_exr(const std::string& text, RenderPlan& plan) {
 RenderPlan render_plan(const RenderArguments& a) {
   RenderPlan plan;
   plan.gi = parse_gi(a.gi);
+  plan.guiding = !a.no_guiding;
   plan.prepare.camera = a.camera;
   if (!a.size.empty()) {
     const PictureSize size = parse_size(a.size);

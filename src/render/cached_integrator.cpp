@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "render/cache_state.h"
+#include "render/learn_directions.h"
 #include "transport/gather/gather_map.h"
 #include "transport/path/pilot_paths.h"
 #include "transport/photon/photon_edges.h"
@@ -128,6 +129,7 @@ void CachedIntegrator::trace(const Camera::Ray& eye, Vec2 raster, float paths_of
   settings.paths_of_pixel = paths_of_pixel;
   settings.grid = reads_grid() ? &*grid_ : nullptr;
   settings.lit = lit_.empty() ? nullptr : &lit_;
+  settings.guide = guide_.empty() ? nullptr : &guide_;
   trace_path(world_, eye, raster, settings, record, sampler, counts);
 }
 
@@ -136,18 +138,27 @@ void CachedIntegrator::prepare(const IntegratorPreparation& p) {
   if (plan_.gather) gather(p);
   if (plan_.bounces) cache_bounces(gather_passes(p.seed), p);
   find_lit_surfaces(p);
+  find_guide(p);
   if (!caches_only()) grid_.emplace(world_, path_settings(), p.seed, p.counts);
 }
 
 /// Caches hold the light of lit surfaces already.
 void CachedIntegrator::find_lit_surfaces(const IntegratorPreparation& p) {
   if (!plan_.indirect || plan_.maps() || caches_only()) return;
-  lit_ = LitSurfaces(world_, p.window, p.seed, p.counts);
+  lit_ = LitSurfaces(world_, p.picture, p.seed, p.counts);
   if (lit_.empty()) return;
   PathSettings sampled = path_settings();
   sampled.lit = &lit_;
-  if (efficiency_ratio(world_, p.window, sampled, path_settings(), p.seed, p.counts) < kWorthwhile)
+  if (efficiency_ratio(world_, p.picture, sampled, path_settings(), p.seed, p.counts) < kWorthwhile)
     lit_ = {};
+}
+
+/// Only paths that trace diffuse bounces have a use for a guide.
+void CachedIntegrator::find_guide(const IntegratorPreparation& p) {
+  if (!plan_.indirect || plan_.gather || plan_.global || plan_.caustic || caches_only()) return;
+  PathSettings settings = path_settings();
+  settings.lit = lit_.empty() ? nullptr : &lit_;
+  guide_ = learn_directions(world_, p, settings, bounces_);
 }
 
 void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {
@@ -279,6 +290,7 @@ void CachedIntegrator::restore(CheckpointReader& in, const IntegratorPreparation
     if (paths_.diffuse_bounces > 0) use_bounces();
   }
   find_lit_surfaces(p);
+  find_guide(p);
   grid_.emplace(world_, path_settings(), p.seed, p.counts);
 }
 

@@ -5,6 +5,7 @@
 
 #include "render/indirect_plan.h"
 #include "render/integrator.h"
+#include "transport/direction_guide.h"
 #include "transport/gather/gather_bounces.h"
 #include "transport/gather/gather_cache.h"
 #include "transport/gather/gather_passes.h"
@@ -45,6 +46,7 @@ class CachedIntegrator final : public Integrator {
 
  private:
   void find_lit_surfaces(const IntegratorPreparation& p);
+  void find_guide(const IntegratorPreparation& p);
   void trace_photon_maps(const IntegratorPreparation& p);
   void use_photon_maps();
   GatherPasses gather_passes(std::uint32_t seed);
@@ -65,6 +67,7 @@ class CachedIntegrator final : public Integrator {
   GatherCache cache_;
   std::optional<GlossyGrid> grid_;
   LitSurfaces lit_;
+  DirectionGuide guide_;
   bool read_files_ = false;
 };
 

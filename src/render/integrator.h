@@ -31,7 +31,11 @@ struct MapFiles {
 
 /// Arguments of Integrator::prepare().
 struct IntegratorPreparation {
-  Window window;  ///< the part of the picture that camera rays cover
+  Window window;  ///< the part of the picture that maps are computed for
+  /// The picture without a crop, and the number of camera paths that it would get. What paths learn
+  /// refers to it, so that a crop has the same pixels.
+  Window picture;
+  double paths = 0;
   std::uint32_t seed = 0;
   const MapFiles& files;
   Diagnostics& diagnostics;

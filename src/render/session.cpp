@@ -20,6 +20,9 @@ namespace {
 /// Intervals of progress reports and of preview pictures before the first pass.
 constexpr double kSecondsBetweenPassReports = 0.2, kSecondsBetweenPreviews = 10;
 
+/// Samples per pixel that are expected at most: noise targets often end a render early.
+constexpr std::uint32_t kUsualSamples = 128;
+
 /// The requested window, clipped to the picture; else that of the camera.
 Window window_of(const World& world, const std::optional<Window>& asked) {
   const Camera& camera = world.camera;
@@ -190,7 +193,16 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
     clear_film();
     shown = seconds();
   };
-  integrator_->prepare({maps_window_, seed_, map_files_, diagnostics_, monitor, after_pass, rays_});
+  integrator_->prepare(preparation(monitor, after_pass));
+}
+
+IntegratorPreparation RenderSession::preparation(const ProgressMonitor& monitor,
+                                                 std::function<void()> after_pass) {
+  const Window picture = window_of(world_, std::nullopt);
+  const double pixels = double(picture.width()) * double(picture.height());
+  const double samples = std::min(budget_.max_samples, kUsualSamples);
+  return {maps_window_, picture, pixels * samples,      seed_, map_files_,
+          diagnostics_, monitor, std::move(after_pass), rays_};
 }
 
 StopReason RenderSession::show_preview() {
@@ -238,7 +250,7 @@ void RenderSession::save(CheckpointWriter& out) {
 
 void RenderSession::restore(CheckpointReader& in) {
   const ProgressMonitor monitor;
-  integrator_->restore(in, {maps_window_, seed_, map_files_, diagnostics_, monitor, {}, rays_});
+  integrator_->restore(in, preparation(monitor, {}));
   film_.visit_state(in);
   if (mattes_) mattes_->restore(in, world_.materials, world_.instances.size());
   Progressive::State state;

@@ -95,6 +95,8 @@ class RenderSession {
 
  private:
   FilmSample sample(int x, int y, std::uint32_t index, PathRecord& record, RayCounts& counts) const;
+  IntegratorPreparation preparation(const ProgressMonitor& monitor,
+                                    std::function<void()> after_pass);
   void prepare_maps(const Progressive::Callbacks& callbacks, const std::atomic<bool>* cancel);
   StopReason show_preview();
   void clear_film();

@@ -49,6 +49,24 @@ inline Vec2 sample_disc(const Vec2& u) {
   return wide ? Vec2(r * t.cos, r * t.sin) : Vec2(r * t.sin, r * t.cos);
 }
 
+/// The point of the square that sample_disc() maps to `d`.
+/// Source:  the arc tangent of Abramowitz, Stegun, "Handbook of Mathematical Functions", 4.4.49,
+///          within 2e-8.
+/// Checked: Warp.SquareOfDiscInvertsTheDisc.
+inline Vec2 square_of_disc(const Vec2& d) {
+  const bool wide = std::abs(d.x) > std::abs(d.y);
+  const float major = wide ? d.x : d.y, minor = wide ? d.y : d.x;
+  if (major == 0) return Vec2(0.5f, 0.5f);
+  const float r = std::copysign(std::min(1.0f, std::sqrt(d.x * d.x + d.y * d.y)), major);
+  const float x = minor / major, x2 = x * x;
+  float sum = 0.0028662257f;
+  for (const float term : {-0.0161657367f, 0.0429096138f, -0.0752896400f, 0.1065626393f,
+                           -0.1420889944f, 0.1999355085f, -0.3333314528f, 1.0f})
+    sum = fma(sum, x2, term);
+  const float other = r * (x * sum) * (4 / kPi);
+  return Vec2(0.5f + 0.5f * (wide ? r : other), 0.5f + 0.5f * (wide ? other : r));
+}
+
 /// Direction on the upper hemisphere with density cos / pi.
 /// Checked: Warp.DirectionsMatchTheirDensity.
 inline Vec3 sample_cosine_hemisphere(const Vec2& u) {

@@ -34,6 +34,17 @@ TEST(Warp, SineAndCosineMatchTheLibrary) {
   }
 }
 
+TEST(Warp, SquareOfDiscInvertsTheDisc) {
+  constexpr int kSide = 200;
+  for (int i = 0; i <= kSide; ++i)
+    for (int k = 0; k <= kSide; ++k) {
+      const Vec2 u(static_cast<float>(i) / kSide, static_cast<float>(k) / kSide);
+      const Vec2 back = square_of_disc(sample_disc(u));
+      EXPECT_NEAR(back.x, u.x, 1e-6f) << u.x << " " << u.y;
+      EXPECT_NEAR(back.y, u.y, 1e-6f) << u.x << " " << u.y;
+    }
+}
+
 TEST(Warp, DirectionsMatchTheirDensity) {
   expect_matches([](const Vec2& u, float) { return sample_cosine_hemisphere(u); },
                  [](const Vec3& w) { return cosine_hemisphere_pdf(w.z); });

@@ -343,6 +343,8 @@ constexpr Row<O> kOptionRows[] = {
      set_mattes},
     {"\"indirect\"", "scene|path|path+cache|fg|photons|fg+photons", Effective, "how light is gathered",
      to<&O::indirect>},
+    {"\"guiding\"", "bool", Effective, "whether paths learn where light comes from",
+     to<&O::guiding>},
     {"\"unified sampling\"", "bool|float", Effective, "off: the other \"samples\" options do not act",
      set_unified_sampling},
     {"\"samples min\"", "float", Effective, "fewest samples of a pixel, as level 4^n",

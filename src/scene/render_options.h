@@ -157,6 +157,7 @@ struct RenderOptions {
   bool photonmap_rebuild = true, photonmap_only = false;
   FinalGatherOptions finalgather;
   IndirectMethod indirect = IndirectMethod::Scene;
+  bool guiding = true;  ///< paths may learn directions; see DirectionGuide
 
   float gamma = 1;
   bool desaturate = false, dither = false, premultiply = true;

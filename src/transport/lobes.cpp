@@ -134,7 +134,9 @@ Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
       if (!(cosine > 0) || !(dot(lobe.frame.n, wo) > 0)) continue;
       const float density = cosine * kInvPi;
       out.diffuse.value += lobe.weight * (density * lambert_factor(lobe, point, wi));
-      out.diffuse.pdf += choice.rays[i] * density;
+      float pdf = choice.rays[i] * density;
+      if (choice.guide && pdf > 0) pdf *= choice.guide.density(wi);
+      out.diffuse.pdf += pdf;
       continue;
     }
     const Vec3 o = lobe.frame.to_local(wo), w = lobe.frame.to_local(wi);
@@ -147,8 +149,10 @@ Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
       value = bsdf.eval(o, w);
       if (choice.rays[i] > 0) pdf = choice.rays[i] * bsdf.pdf(o, w);
     });
-    if (lobe.kind == LobeKind::Diffuse)
+    if (lobe.kind == LobeKind::Diffuse) {
       value *= bsdf::soft_terminator(point.geometric_normal, lobe.frame.n, wi);
+      if (choice.guide && pdf > 0) pdf *= choice.guide.density(wi);
+    }
     if (lobe.controls.highlights_only) {
       out.highlight += lobe.weight * value;
       continue;
@@ -175,15 +179,38 @@ int choose_lobe(const Closure& closure, const LobeChoice& choice, float& u) {
 namespace {
 
 /// As sample_lobe(), of the only lobe.
-std::optional<ClosureSample> sample_lambert(const Lobe& lobe, float rays, const ShadingPoint& point,
-                                            const Vec3& wo, const Vec2& u) {
+std::optional<ClosureSample> sample_lambert(const Lobe& lobe, const LobeChoice& choice,
+                                            const ShadingPoint& point, const Vec3& wo,
+                                            const Vec2& u) {
   if (!(dot(lobe.frame.n, wo) > 0)) return std::nullopt;
-  const Vec3 local = sampling::sample_cosine_hemisphere(u);
   ClosureSample out;
-  out.wi = lobe.frame.to_world(local);
-  out.pdf = rays * sampling::cosine_hemisphere_pdf(local.z);
+  float cosine = 0, rays = choice.rays[0];
+  if (choice.guide) {
+    const LocalGuide::Sample s = choice.guide.sample(u);
+    out.wi = s.wi;
+    cosine = s.cosine;
+    rays *= s.density;
+  } else {
+    const Vec3 local = sampling::sample_cosine_hemisphere(u);
+    out.wi = lobe.frame.to_world(local);
+    cosine = local.z;
+  }
+  out.pdf = rays * sampling::cosine_hemisphere_pdf(cosine);
   if (!(dot(out.wi, point.geometric_normal) > 0) || !(out.pdf > 0)) return std::nullopt;
   out.weight = lobe.weight * (lambert_factor(lobe, point, out.wi) / rays);
+  return out;
+}
+
+/// A direction of a lobe without delta, with its weight; empty if it is on the wrong side.
+std::optional<ClosureSample> finish(const Closure& closure, const LobeChoice& choice, int index,
+                                    const ShadingPoint& point, const Vec3& wo, ClosureSample out) {
+  const LobeKind kind = closure.lobes[index].kind;
+  if (!right_side(kind, dot(out.wi, point.geometric_normal) > 0)) return std::nullopt;
+  const Response all = evaluate_closure(closure, choice, point, wo, out.wi);
+  const Response::Part& part = all.of(kind);
+  out.pdf = part.pdf;
+  if (!(out.pdf > 0)) return std::nullopt;
+  out.weight = part.value / out.pdf;
   return out;
 }
 
@@ -194,17 +221,22 @@ std::optional<ClosureSample> sample_lobe(const Closure& closure, const LobeChoic
                                          float u_rest, const Vec2& u) {
   const Lobe& lobe = closure.lobes[index];
   const float rays = choice.rays[index];
-  if (closure.count == 1 && is_lambert(lobe)) return sample_lambert(lobe, rays, point, wo, u);
+  if (closure.count == 1 && is_lambert(lobe)) return sample_lambert(lobe, choice, point, wo, u);
   const auto sample_in = [&](const Frame& frame) {
     return with_bsdf(lobe,
                      [&](const auto& bsdf) { return bsdf.sample(frame.to_local(wo), u, u_rest); });
   };
+  ClosureSample out;
+  out.lobe = index;
+  if (lobe.kind == LobeKind::Diffuse && choice.guide) {
+    if (!(dot(lobe.frame.n, wo) > 0)) return std::nullopt;
+    out.wi = choice.guide.sample(u).wi;
+    return finish(closure, choice, index, point, wo, out);
+  }
   auto s = sample_in(lobe.frame);
   if (!s) return std::nullopt;
 
-  ClosureSample out;
   out.wi = lobe.frame.to_world(s->wi);
-  out.lobe = index;
   out.delta = s->delta;
   float side = dot(out.wi, point.geometric_normal);
   if (s->delta) {
@@ -222,13 +254,7 @@ std::optional<ClosureSample> sample_lobe(const Closure& closure, const LobeChoic
     out.weight = lobe.weight * (s->weight / rays);
     return out;
   }
-  if (!right_side(lobe.kind, side > 0)) return std::nullopt;
-  const Response all = evaluate_closure(closure, choice, point, wo, out.wi);
-  const Response::Part& part = all.of(lobe.kind);
-  out.pdf = part.pdf;
-  if (!(out.pdf > 0)) return std::nullopt;
-  out.weight = part.value / out.pdf;
-  return out;
+  return finish(closure, choice, index, point, wo, out);
 }
 
 }  // namespace oriel

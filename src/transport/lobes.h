@@ -7,6 +7,7 @@
 
 #include "runtime/closure.h"
 #include "runtime/shading_point.h"
+#include "transport/direction_guide.h"
 
 namespace oriel {
 
@@ -54,6 +55,8 @@ inline Vec3 lit_side(const Lobe& lobe) {
 struct LobeChoice {
   float rays[Closure::kMaxLobes] = {};  ///< expected number
   bool any = false;
+  /// If not empty, all diffuse lobes have its normal, and their samples follow it.
+  LocalGuide guide;
 
   /// Scales the numbers of the lobes such that their sum is 1.
   void share_one_ray(int lobes) {

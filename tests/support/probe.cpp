@@ -12,6 +12,8 @@
 #include "lights/light_sampler.h"
 #include "mi/reader.h"
 #include "shaders/registry.h"
+#include "transport/gather/gather_passes.h"
+#include "transport/gather/guide_points.h"
 
 namespace oriel::testing {
 namespace {
@@ -120,6 +122,23 @@ void expect_exact(const std::string& name, const Measured& m, const Rgb& exact,
         << name << ": too noisy to show anything";
   }
   figure(name, exact.x, m.mean.x, m.error.x);
+}
+
+Probe& Probe::guided(int rays) {
+  const Camera& camera = world_->camera;
+  RayCounts counts;
+  const ProgressMonitor monitor;
+  GatherSettings settings = gather_settings(world_->options, world_->accel->bounds());
+  settings.path.diffuse_bounces = PathSettings::kAllBounces;
+  const GatherPasses passes{settings, {}, 1, 0};
+  const Bounces coarse = gather_bounces(
+      *world_, first_gather_points(*world_, {0, 0, camera.width, camera.height}, passes, counts),
+      settings, 0, counts, monitor);
+  guide_ = std::make_unique<DirectionGuide>(
+      world_->accel->bounds(), guide_points(*world_, coarse, settings, rays, 0, counts, monitor));
+  settings_.guide = guide_->empty() ? nullptr : guide_.get();
+  EXPECT_TRUE(settings_.guide) << "no points for a guide";
+  return *this;
 }
 
 void expect_same(const std::string& name, const Measured& a, const Measured& b,

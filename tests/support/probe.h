@@ -14,6 +14,7 @@
 #include "sampling/sampler.h"
 #include "support/scene_text.h"
 #include "support/test_shaders.h"
+#include "transport/direction_guide.h"
 #include "transport/path/lit_surfaces.h"
 #include "transport/path/path.h"
 
@@ -71,6 +72,8 @@ class Probe {
     return *this;
   }
   bool has_lit_surfaces() const { return settings_.lit != nullptr; }
+  /// Diffuse bounces follow a guide from `rays` rays of each coarse record.
+  Probe& guided(int rays = 128);
 
   /// Paths that share the sample counts of the materials; by default each lobe gets one ray.
   Probe& paths_of_pixel(float paths) {
@@ -122,6 +125,7 @@ class Probe {
   std::unique_ptr<World> world_;
   PathSettings settings_;
   std::unique_ptr<LitSurfaces> lit_;
+  std::unique_ptr<DirectionGuide> guide_;
   bool outputs_ = false;
 };
 

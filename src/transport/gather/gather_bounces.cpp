@@ -125,6 +125,7 @@ class BounceSolver {
     }
     if (all) b.held = PathSettings::kAllBounces;
     b.cache = std::move(cache_);
+    b.points = std::move(points_);
     return b;
   }
 

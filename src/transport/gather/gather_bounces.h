@@ -12,6 +12,7 @@ struct Bounces {
   GatherCache cache;
   GatherQuery query;  ///< settings of look-ups
   int held = 0;       ///< number of bounces in the records; PathSettings::kAllBounces = all
+  std::vector<GatherPoint> points = {};  ///< of the records
 };
 
 /// The look-ups of a world's Bounces.

@@ -12,6 +12,7 @@
 
 namespace oriel {
 
+class DirectionGuide;
 class GlossyGrid;
 class LitSurfaces;
 struct IndirectCaches;
@@ -32,8 +33,9 @@ struct PathSettings {
   /// Number of paths of the pixel in all. Sample counts of materials are per pixel, so with more
   /// paths each splits into fewer rays at its first surface.
   float paths_of_pixel = 1e6f;
-  const IndirectCaches* maps = nullptr;  ///< caches of indirect light; null = all light is traced
-  const LitSurfaces* lit = nullptr;      ///< sampled as lights; null = only rays find them
+  const IndirectCaches* maps = nullptr;   ///< caches of indirect light; null = all light is traced
+  const LitSurfaces* lit = nullptr;       ///< sampled as lights; null = only rays find them
+  const DirectionGuide* guide = nullptr;  ///< of diffuse directions; null = by the cosine
   const GlossyGrid* grid = nullptr;  ///< for materials that interpolate reflections; null = none
 };
 

@@ -316,6 +316,18 @@ bool Path::russian_roulette() {
   return true;
 }
 
+/// Lets the diffuse lobes follow the guide if all have the same normal.
+void Path::guide(const Closure& closure, LobeChoice& choice, const ShadingPoint& point) const {
+  const Lobe* first = nullptr;
+  for (int i = 0; i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (lobe.kind != LobeKind::Diffuse) continue;
+    if (first && first->frame.n != lobe.frame.n) return;
+    first = &lobe;
+  }
+  if (first) choice.guide = settings_.guide->at(point.position, first->frame.n);
+}
+
 /// Samples a lobe and continues. Without MIS weights the ray sees lights and environment as a
 /// mirror ray does. False: the path ends here.
 bool Path::continue_path(const Closure& closure, const LobeChoice& choice, const Material& material,
@@ -358,6 +370,7 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
   choose_lobes(closure, choice, point, diffuse);
   if (mapped) emulate(closure, point);
   interpolate(closure, material, point, choice);
+  if (diffuse && settings_.guide) guide(closure, choice, point);
   const bool splits = split(closure, choice);
   point.glossiness = closure.glossiness;
   point.importance = std::min(1.0f, depth_.importance);

@@ -245,6 +245,7 @@ class Path {
   // path_scatter.cpp
   void choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint& point,
                     bool diffuse) const;
+  void guide(const Closure& closure, LobeChoice& choice, const ShadingPoint& point) const;
   bool split(const Closure& closure, LobeChoice& choice) const;
   void take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
                    bool diffuse);

@@ -12,7 +12,7 @@
 namespace oriel {
 namespace {
 
-constexpr std::size_t kPixels = 2048, kPixelsOfGroup = 64;
+constexpr std::size_t kPixelsOfGroup = 64;
 /// Samples are limited to this many times the mean of all, and the light of a part of the picture
 /// counts as at least this share of it.
 constexpr float kBrightest = 256, kDarkest = 0.1f;
@@ -60,11 +60,12 @@ double cost_of(const RayCounts& counts) {
 }  // namespace
 
 float efficiency_ratio(const World& world, const Window& window, const PathSettings& a,
-                       const PathSettings& b, std::uint32_t seed, RayCounts& counts) {
+                       const PathSettings& b, std::uint32_t seed, RayCounts& counts,
+                       std::size_t pixels) {
   if (window.width() <= 0 || window.height() <= 0) return 1;
   const std::array<const PathSettings*, 2> settings{&a, &b};
-  std::vector<Pilot> pilots(kPixels);
-  parallel_for(kPixels / kPixelsOfGroup, [&](std::size_t group) {
+  std::vector<Pilot> pilots(pixels);
+  parallel_for(pixels / kPixelsOfGroup, [&](std::size_t group) {
     for (std::size_t i = group * kPixelsOfGroup; i < (group + 1) * kPixelsOfGroup; ++i)
       pilots[i] = trace_pilot(world, window, settings, static_cast<std::uint32_t>(i), seed);
   });
@@ -76,7 +77,8 @@ float efficiency_ratio(const World& world, const Window& window, const PathSetti
       rays[k] += pilot.counts[k];
     }
   for (const RayCounts& of_settings : rays) counts += of_settings;
-  const float mean = static_cast<float>(sum / (4 * kPixels)), limit = kBrightest * mean;
+  const float mean = static_cast<float>(sum / (4 * static_cast<double>(pixels))),
+              limit = kBrightest * mean;
   if (!(mean > 0)) return 1;
   std::array<double, kParts * kParts> of_part{}, samples{};
   for (Pilot& pilot : pilots)

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Densities of directions for diffuse bounces, learned from the light at points of the scene.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/frame.h"
+#include "geom/mesh.h"
+#include "sampling/warp.h"
+
+namespace oriel {
+
+// Conventions
+//   Directions above a surface are points of the unit square that sample_cosine_hemisphere() maps
+//   to them. A density on the square multiplies cos / pi.
+
+/// Values of the cells of the unit square, row by row.
+inline constexpr std::size_t kGuideSide = 16, kGuideCells = kGuideSide * kGuideSide;
+using GuideSquare = std::array<float, kGuideCells>;
+
+/// The cell of GuideSquare that contains a point of the square.
+std::size_t guide_cell(const Vec2& at);
+
+/// A density on the square that is constant in each cell.
+/// Checked: GuideDensity.*
+class GuideDensity {
+ public:
+  /// Inputs:  light: not negative; the density is kUnguided plus a share in proportion to it.
+  explicit GuideDensity(const GuideSquare& light);
+
+  /// Share of the samples that are uniform, so that a wrong guide multiplies the noise at most by
+  /// its reciprocal. Of .15, .25, .4 and .5, .4 had the smallest error in rooms.
+  static constexpr float kUnguided = 0.4f;
+
+  /// Returns: at least kUnguided; 1 on the average.
+  float at(const Vec2& on_square) const { return density_[guide_cell(on_square)]; }
+  /// Maps the uniform `u` to the square with that density, monotonically in each coordinate.
+  Vec2 sample(const Vec2& u, float& density) const;
+
+ private:
+  GuideSquare density_;
+  GuideSquare until_;                         ///< share of its row up to the end of each cell
+  std::array<float, kGuideSide> rows_until_;  ///< share up to the end of each row
+};
+
+/// The guide of one surface point.
+class LocalGuide {
+ public:
+  LocalGuide() = default;
+  LocalGuide(const GuideDensity& density, const Frame& frame) : density_(&density), frame_(frame) {}
+
+  explicit operator bool() const { return density_ != nullptr; }
+  /// Density relative to cos / pi. Inputs:  wi: unit, above the surface.
+  float density(const Vec3& wi) const {
+    return density_->at(sampling::square_of_disc(Vec2(dot(wi, frame_.s), dot(wi, frame_.t))));
+  }
+  struct Sample {
+    Vec3 wi{0};
+    float cosine = 0, density = 0;
+  };
+  Sample sample(const Vec2& u) const {
+    Sample s;
+    const Vec3 local = sampling::sample_cosine_hemisphere(density_->sample(u, s.density));
+    s.wi = frame_.to_world(local);
+    s.cosine = local.z;
+    return s;
+  }
+
+ private:
+  const GuideDensity* density_ = nullptr;
+  Frame frame_;
+};
+
+/// The light that arrives at a point of a surface.
+struct GuidePoint {
+  Vec3 position{0}, normal{0, 0, 1};
+  GuideSquare light{};  ///< mean luminance in each cell, in guide_frame(normal)
+};
+
+/// The frame of all guides of surfaces with that unit normal. It turns smoothly between normals of
+/// the same main direction.
+Frame guide_frame(const Vec3& normal);
+
+/// Densities for all places of a scene.
+///
+/// Model:   for each of the six main directions of normals a binary tree over positions, halved
+///          along the longest side until a leaf has few points. The light of a leaf is that of its
+///          points; the node above counts as a share of a further point.
+/// Source:  the tree: T. Mueller, M. Gross, J. Novak, "Practical Path Guiding for Efficient
+///          Light-Transport Simulation", 2017.
+/// Checked: DirectionGuide.*
+class DirectionGuide {
+ public:
+  DirectionGuide() = default;
+  /// Inputs:  bounds: of the scene.
+  DirectionGuide(const geom::Box3& bounds, std::span<const GuidePoint> points);
+
+  bool empty() const { return nodes_.empty(); }
+  /// Inputs:  normal: unit. Not for an empty guide.
+  LocalGuide at(const Vec3& position, const Vec3& normal) const;
+  std::size_t bytes() const {
+    return nodes_.size() * sizeof(Node) + densities_.size() * sizeof(GuideDensity);
+  }
+
+ private:
+  friend class GuideBuilder;
+  struct Node {
+    float split = 0;
+    std::int32_t axis = -1;   ///< -1: a leaf
+    std::uint32_t child = 0;  ///< the lower half, followed by the upper; of a leaf: its density
+  };
+  std::vector<Node> nodes_;  ///< the first six are roots
+  std::vector<GuideDensity> densities_;
+};
+
+}  // namespace oriel
