@@ -16,7 +16,7 @@ namespace oriel::interactive {
 ///
 /// Model:   the scene is always what was read with the edits of the list applied in their order, as
 ///          `--set` does. The first edit of an element stores a copy of it.
-/// Checked: EditedScene.*
+/// Checked: EditTable.*
 class EditedScene {
  public:
   /// The scene was just read. `registry` has to outlive this.

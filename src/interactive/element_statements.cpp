@@ -211,7 +211,7 @@ std::vector<StatementValue> statements_of(const scene::Element& element) {
   const EditableStatements e = editable(copy);
   std::vector<StatementValue> result;
   for (const FieldEdit& field : e.fields) {
-    StatementValue s{field.name, {}, {}, {}};
+    StatementValue s{field.name, {}, {}, false, {}};
     if (const std::optional<Value> value = field.read()) s.values.push_back(*value);
     result.push_back(std::move(s));
   }
@@ -220,7 +220,7 @@ std::vector<StatementValue> statements_of(const scene::Element& element) {
     if (!row) continue;
     std::string name = scene::name_of(*row);
     std::erase(name, '"');
-    StatementValue s{name, row->form, row->meaning, {}};
+    StatementValue s{name, row->form, row->meaning, scene::is_string_option(*row), {}};
     for (const scene::Statement& statement : *e.statements)
       if (statement.keyword == name) s.values = statement.values;
     result.push_back(std::move(s));

@@ -22,7 +22,7 @@ enum class StatementEdit : std::uint8_t {
 ///
 /// Inputs:  before: called before the element is changed; may be empty.
 /// Returns: in `known` the names of the statements if there is none of that name.
-/// Checked: SceneEdit.*
+/// Checked: EditTable.*
 StatementEdit set_statement(scene::Element& element, const std::string& name,
                             const scene::Value& value,
                             const std::function<void(const scene::Element&)>& before,
@@ -32,6 +32,7 @@ StatementEdit set_statement(scene::Element& element, const std::string& name,
 struct StatementValue {
   std::string name;
   std::string_view form, meaning;    ///< as in scene/statement_table.h; empty for typed fields
+  bool quoted = false;               ///< a string option
   std::vector<scene::Value> values;  ///< empty: the scene has no such statement
 };
 

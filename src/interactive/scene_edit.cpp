@@ -39,40 +39,29 @@ std::string no_such_option(const std::string& name, const std::vector<std::strin
                      near.empty() ? "" : fmt::format("; did you mean {}?", near));
 }
 
-/// One edit while it is applied.
-struct EditInProgress {
+/// Looks for a parameter in calls.
+struct CallSearch {
   scene::Scene& scene;
   const Registry& registry;
-  const SceneEdit& edit;
-  const BeforeChange& before;
-  std::vector<std::string> candidates = {};  ///< parameters that exist
-
-  void announce(const scene::Element& element) const {
-    if (before) before(element);
-  }
+  const std::string& parameter;
+  std::vector<std::string>& candidates;  ///< parameters that exist
 };
 
-/// Sets the parameter in the first call of the list that has it. Returns the name of the changed
-/// element; empty if no call has it.
-std::string set_in_list(EditInProgress& p, const std::string& owner, scene::ShaderList& list,
-                        int depth = 0) {
+FoundCall find_in_list(const CallSearch& search, const std::string& owner, scene::ShaderList& list,
+                       int depth = 0) {
   constexpr int kMaxReferences = 16;  // named shaders may refer to each other in a circle
   for (scene::ShaderUse& use : list) {
     if (!use.reference.empty()) {
-      auto* named = p.scene.get<scene::ShaderElement>(use.reference);
+      auto* named = search.scene.get<scene::ShaderElement>(use.reference);
       if (!named || depth >= kMaxReferences) continue;
-      if (std::string changed = set_in_list(p, use.reference, named->functions, depth + 1);
-          !changed.empty())
-        return changed;
+      const FoundCall found = find_in_list(search, use.reference, named->functions, depth + 1);
+      if (found.call) return found;
       continue;
     }
-    const std::vector<std::string> names = parameters_of(p.scene, use.type, p.registry);
-    p.candidates.insert(p.candidates.end(), names.begin(), names.end());
-    if (std::find(names.begin(), names.end(), p.edit.parameter) == names.end()) continue;
-    p.announce(*p.scene.find(owner));
-    std::erase_if(use.arguments, [&](const auto& a) { return a.name == p.edit.parameter; });
-    use.arguments.push_back({p.edit.parameter, parse_edit_value(p.edit.value), {}});
-    return owner;
+    const std::vector<std::string> names = parameters_of(search.scene, use.type, search.registry);
+    search.candidates.insert(search.candidates.end(), names.begin(), names.end());
+    if (std::find(names.begin(), names.end(), search.parameter) != names.end())
+      return {&use, owner};
   }
   return {};
 }
@@ -144,15 +133,26 @@ Value parse_edit_value(const std::string& text) {
   return value;
 }
 
+FoundCall find_call(scene::Scene& scene, const SceneEdit& edit, const Registry& registry,
+                    std::vector<std::string>& candidates) {
+  const CallSearch search{scene, registry, edit.parameter, candidates};
+  for (scene::ShaderList* list : lists_of(*scene.find(edit.element)))
+    if (const FoundCall found = find_in_list(search, edit.element, *list); found.call) return found;
+  return {};
+}
+
 std::string apply_edit(scene::Scene& scene, const std::string& text, const Registry& registry,
                        const BeforeChange& before) {
   const SceneEdit edit = parse_edit(scene, text);
   scene::Element& element = *scene.find(edit.element);
-  EditInProgress progress{scene, registry, edit, before};
-  for (scene::ShaderList* list : lists_of(element))
-    if (std::string changed = set_in_list(progress, edit.element, *list); !changed.empty())
-      return changed;
   const Value value = parse_edit_value(edit.value);
+  std::vector<std::string> candidates;
+  if (const FoundCall found = find_call(scene, edit, registry, candidates); found.call) {
+    if (before) before(*scene.find(found.owner));
+    std::erase_if(found.call->arguments, [&](const auto& a) { return a.name == edit.parameter; });
+    found.call->arguments.push_back({edit.parameter, value, {}});
+    return found.owner;
+  }
   std::vector<std::string> statements;
   switch (set_statement(element, edit.parameter, value, before, statements)) {
     case StatementEdit::Done:
@@ -170,7 +170,6 @@ std::string apply_edit(scene::Scene& scene, const std::string& text, const Regis
   }
   if (std::holds_alternative<scene::Options>(element))
     throw EditError(no_such_option(edit.parameter, statements));
-  auto& candidates = progress.candidates;
   candidates.insert(candidates.end(), statements.begin(), statements.end());
   throw EditError(fmt::format("--set: \"{}\" has no parameter \"{}\"{}", edit.element,
                               edit.parameter, hint_of(edit.parameter, candidates)));

@@ -36,6 +36,17 @@ SceneEdit parse_edit(const scene::Scene& scene, const std::string& text);
 /// The value of an edit: on, off, numbers, `=shader`, otherwise a string.
 scene::Value parse_edit_value(const std::string& text);
 
+/// A shader call that has a parameter.
+struct FoundCall {
+  scene::ShaderUse* call = nullptr;  ///< null: none
+  std::string owner;                 ///< element that contains it
+};
+
+/// The call whose parameter an edit sets: the first of the element's shaders that has it; named
+/// shaders are followed. Adds the names of the parameters that it looked at to `candidates`.
+FoundCall find_call(scene::Scene& scene, const SceneEdit& edit, const Registry& registry,
+                    std::vector<std::string>& candidates);
+
 /// Called before an element is changed.
 using BeforeChange = std::function<void(const scene::Element&)>;
 
@@ -48,7 +59,7 @@ using BeforeChange = std::function<void(const scene::Element&)>;
 ///          `transform` (16 numbers as in a scene). Textures have `file`.
 /// Returns: the name of the element that was changed, which is a named shader if it was followed.
 /// Errors:  EditError, EditFormError; the scene is then unchanged.
-/// Checked: SceneEdit.*
+/// Checked: EditTable.* in tests/interactive
 std::string apply_edit(scene::Scene& scene, const std::string& text, const Registry& registry,
                        const BeforeChange& before = {});
 
