@@ -147,6 +147,7 @@
  * @property {number} min
  * @property {number} max
  * @property {number} uniformity
+ * @property {number[]} [illuminance_values]
  */
 
 /**

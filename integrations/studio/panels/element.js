@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The edit panel: the parameters of the selected element, in groups, with connected shaders as a tree.
+import {button, disclosure, h} from "../ui/dom.js";
+import {openButton, parameterField} from "./parameter.js";
+
+/** @typedef {import("../net/types.js").Parameter} Parameter */
+/** @typedef {import("../net/types.js").SceneElement} SceneElement */
+/** @typedef {import("../net/types.js").ShaderCall} ShaderCall */
+/** @typedef {import("./app.js").App} App */
+
+const REFRESH_MS = 150;
+
+/** Text of the structure of an element: it changes if fields have to be made again. @param {SceneElement} e */
+export function structureOf(e) {
+  /** @type {(s: ShaderCall) => string} */
+  const call = (s) => `${s.shader}(${s.parameters.map((p) => typeof p === "string" ? p :
+      `${p.name}:${p.type}${p.connection ? call(p.connection) : ""}`).join(",")})`;
+  return `${e.name} ${e.shaders.map(call).join(";")}`;
+}
+
+/** Parameters by group, in the order of the first of each. @param {Parameter[]} parameters @returns {[string, Parameter[]][]} */
+export function grouped(parameters) {
+  const groups = new Map();
+  for (const p of parameters) {
+    const name = p.group || "Parameters";
+    groups.set(name, [...(groups.get(name) ?? []), p]);
+  }
+  return [...groups];
+}
+
+/** @param {App} app */
+export function createElementPanel(app) {
+  const title = h("h2", {text: "Edit"}), place = h("p", {class: "muted"});
+  const filter = h("input", {class: "search", attributes: {type: "search", placeholder: "Filter parameters", "aria-label": "Filter parameters"}});
+  const body = h("div", {class: "element-body"});
+  const empty = h("p", {class: "empty", text: "Click an object in the picture, or choose an element of the scene on the left."});
+  const element = h("div", {class: "panel"}, h("header", {}, title, place), filter, empty, body);
+  filter.hidden = true;
+  /** @type {Map<string, (p: Parameter) => void>} */
+  const updates = new Map();
+  /** @type {string | null} */ let name = null;
+  let structure = "", timer = 0, edits = "";
+
+  /** @param {ShaderCall} call @param {string} path @param {number} depth @returns {HTMLElement} */
+  const shaderView = (call, path, depth) => {
+    const parameters = call.parameters.filter((p) => typeof p !== "string");
+    const groups = grouped(/** @type {Parameter[]} */ (parameters));
+    const views = groups.map(([group, list], i) => {
+      const fields = list.flatMap((p) => {
+        const key = `${path}/${p.name}`, field = parameterField(p, app);
+        updates.set(key, field.update);
+        if (!p.connection) return [field.element];
+        const nested = h("details", {class: "connection"}, h("summary", {}, h("span", {text: p.connection.shader}), h("span", {class: "muted", text: ` ${p.connection.name ?? ""}`})));
+        if (depth < 8) nested.append(shaderView(p.connection, key, depth + 1));
+        if (p.connection.name && p.connection.parameters.every((x) => typeof x === "string")) nested.append(openButton(p.connection.name, app));
+        return [field.element, nested];
+      });
+      return groups.length === 1 ? h("div", {class: "group-body"}, ...fields) : disclosure(group, i < 4, ...fields);
+    });
+    const head = h("div", {class: "shader-head", title: call.doc ?? ""}, h("strong", {text: call.shader}), h("span", {class: "muted", text: call.slot ?? ""}));
+    return h("div", {class: "shader"}, depth === 0 ? head : null, ...views);
+  };
+
+  /** @param {ShaderCall} call @param {string} path */
+  const updateCall = (call, path) => {
+    for (const p of call.parameters) {
+      if (typeof p === "string") continue;
+      updates.get(`${path}/${p.name}`)?.(p);
+      if (p.connection) updateCall(p.connection, `${path}/${p.name}`);
+    }
+  };
+
+  /** @param {SceneElement} e */
+  const show = (e) => {
+    empty.hidden = true;
+    filter.hidden = false;
+    title.textContent = e.name;
+    place.textContent = [e.kind, e.file ? `${e.file}${e.line ? `:${e.line}` : ""}` : ""].filter(Boolean).join(" · ");
+    const next = structureOf(e);
+    if (next === structure) {
+      e.shaders.forEach((call, i) => updateCall(call, String(i)));
+      return;
+    }
+    structure = next;
+    updates.clear();
+    body.replaceChildren(...e.shaders.map((call, i) => shaderView(call, String(i), 0)));
+    applyFilter();
+  };
+
+  const applyFilter = () => {
+    const word = filter.value.trim().toLowerCase();
+    for (const field of body.querySelectorAll(".field")) {
+      const label = field.querySelector("label, .label")?.textContent?.toLowerCase() ?? "";
+      field.classList.toggle("filtered", word !== "" && !label.includes(word));
+    }
+    if (word) for (const details of body.querySelectorAll("details")) details.open = true;
+  };
+  filter.addEventListener("input", applyFilter);
+
+  const load = async () => {
+    if (!name) return;
+    const reply = await app.session.attempt("element", {name});
+    if (reply && Array.isArray(reply.shaders)) show(reply);
+  };
+
+  app.events.on("select", (selected) => {
+    name = selected;
+    structure = "";
+    void load();
+  });
+  app.session.on("state", (state) => {
+    const now = state.edits.join("\n");
+    if (now === edits) return;
+    edits = now;
+    clearTimeout(timer);
+    timer = window.setTimeout(load, REFRESH_MS);
+  });
+  app.session.on("welcome", () => { structure = ""; });
+  return {element, get selected() { return name; }, button};
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light mixer: strength and colour of each light layer, applied in the page.
+import {colorField} from "../ui/color_field.js";
+import {button, checkField, h, section} from "../ui/dom.js";
+import {numberField} from "../ui/number_field.js";
+
+/** @typedef {import("./app.js").App} App */
+
+/** "light_sun" is the layer of the light "sun". @param {string} layer */
+export const lightName = (layer) => layer.replace(/^light_/, "");
+
+/** @param {App} app */
+export function createLightsPanel(app) {
+  const {display, session} = app;
+  const list = h("div", {});
+  const toggle = checkField("Mix lights", false, (v) => {
+    display.mix.active = v;
+    requestLayers();
+    display.change();
+  }, "Receives the layer of each light group. The mixer then changes the picture without rendering.");
+  const reset = button("Reset mixer", () => {
+    display.mix.settings.clear();
+    build();
+    display.change();
+  });
+  const none = h("p", {class: "empty", text: "The scene has no light layers."});
+  const element = h("div", {class: "panel"}, h("header", {}, h("h2", {text: "Light mixer"})),
+                    h("p", {class: "muted", text: "The picture is the sum of its light layers. Sliders act at once and never restart the render."}),
+                    none, h("div", {class: "group"}, toggle.element, h("div", {class: "actions"}, reset)), list);
+
+  const requestLayers = () => session.view({layers: display.neededLayers(session.state)});
+  const change = () => {
+    if (!display.mix.active) {
+      display.mix.active = true;
+      requestLayers();
+    }
+    display.change();
+  };
+
+  const build = () => {
+    list.replaceChildren(...session.state.light_layers.map((layer) => {
+      const s = display.mix.of(layer);
+      const on = checkField("On", s.on, (v) => { s.on = v; change(); });
+      const strength = numberField({label: "Strength", value: s.strength, min: 0, low: 0, high: 4, reset: 1, onInput: (v) => { s.strength = v; change(); }});
+      const color = colorField({label: "Colour", value: s.color, onInput: (v) => { s.color = /** @type {any} */ (v); change(); }});
+      const solo = button("Solo", () => {
+        for (const other of session.state.light_layers) display.mix.of(other).on = other === layer;
+        change();
+        build();
+      }, {class: "small"});
+      const group = section(lightName(layer), on.element, strength.element, color.element, h("div", {class: "actions"}, solo));
+      group.dataset.layer = layer;
+      return group;
+    }));
+  };
+  let known = "";
+  session.on("state", (state) => {
+    none.hidden = state.light_layers.length > 0;
+    toggle.element.hidden = reset.hidden = state.light_layers.length === 0;
+    const names = state.light_layers.join("\n");
+    if (names === known) return;
+    known = names;
+    build();
+  });
+  let shownLayer = display.layer;
+  display.on("change", () => {
+    toggle.input.checked = display.mix.active;
+    if (display.layer === shownLayer) return;
+    shownLayer = display.layer;
+    requestLayers();
+  });
+  session.on("welcome", requestLayers);
+  display.on("restored", build);
+  return element;
+}
