@@ -27,7 +27,7 @@ export function colorField(o) {
   }));
   const swatch = h("input", {attributes: {id, type: "color", "aria-label": `${o.label}, sRGB`}});
   const show = () => {
-    inputs.forEach((input, i) => { if (document.activeElement !== input) input.value = numberText(Number(value[i].toPrecision(4))); });
+    inputs.forEach((input, i) => { if (document.activeElement !== input) input.value = numberText(Number(value[i].toPrecision(3))); });
     swatch.value = hexOfLinear(value);
   };
   swatch.addEventListener("input", () => {
