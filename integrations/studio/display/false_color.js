@@ -12,7 +12,7 @@ export function roundNumber(value, up) {
   let found = up ? 10 : 1;
   for (const d of [1, 2, 5, 10])
     if (up ? d * slack >= digit && d < found : d <= digit * slack) found = d;
-  return found * decade;
+  return Number((found * decade).toPrecision(12));  // 0.05, not 0.05000000000000001
 }
 
 /** Scale that contains 99 % of the values. @param {number[]} values @param {boolean} logarithmic @returns {Scale} */
@@ -36,7 +36,7 @@ export function scalePosition(s, value) {
 function linearTicks(s) {
   const step = roundNumber((s.high - s.low) / 8, true), slack = step * 1e-3;
   const ticks = [];
-  for (let i = Math.ceil((s.low - slack) / step); i * step <= s.high + slack; ++i) ticks.push(i * step);
+  for (let i = Math.ceil((s.low - slack) / step); i * step <= s.high + slack; ++i) ticks.push(Number((i * step).toPrecision(12)));
   return ticks;
 }
 

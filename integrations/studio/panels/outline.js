@@ -27,11 +27,11 @@ export function createOutline(app) {
   const list = h("div", {class: "outline-list"});
   const edits = h("ol", {class: "edits"});
   const count = h("span", {class: "muted"});
-  const clear = button("Remove all", () => void app.session.attempt("set_edits", {edits: []}), {class: "small"});
+  const clear = button("Clear", () => void app.session.attempt("set_edits", {edits: []}), {class: "small", title: "Removes all edits; undo restores them"});
   const copy = button("Copy", async () => {
     await navigator.clipboard.writeText(app.session.state.edits.map((e) => `--set '${e.replaceAll("'", "'\\''")}'`).join(" "));
     app.toasts.show("The edits are in the clipboard, as options of the command line.");
-  }, {class: "small"});
+  }, {class: "small", title: "Copies the edits as options of the command line"});
   const editSection = h("section", {class: "edit-list", attributes: {"aria-label": "Edits"}},
                         h("header", {}, h("h2", {text: "Edits"}), count, h("span", {class: "spring"}), copy, clear), edits);
   const element = h("aside", {class: "sidebar", attributes: {"aria-label": "Scene"}}, h("header", {}, h("h2", {text: "Scene"})), search, list, editSection);

@@ -18,7 +18,7 @@ export function sunChart() {
   element.append(picture);
   /** @type {{hour: number, elevation: number, azimuth: number}[]} */ let points = [];
   const x = (/** @type {number} */ hour) => 4 + hour / 24 * (WIDTH - 8);
-  const y = (/** @type {number} */ elevation) => BOTTOM - Math.max(-15, Math.min(90, elevation)) / 90 * (BOTTOM - TOP);
+  const y = (/** @type {number} */ elevation) => BOTTOM - Math.max(-5, Math.min(90, elevation)) / 90 * (BOTTOM - TOP);
   const dot = svg("circle", {r: 5, class: "sun-dot", cx: -20, cy: 0});
   const label = svg("text", {class: "sun-label", x: 6, y: 14});
 
