@@ -41,7 +41,7 @@ export function createDeliverPanel(app) {
     await show();
     await navigator.clipboard.writeText(command.textContent ?? "");
     app.toasts.show("The command line is in the clipboard.");
-  }, {class: "small"});
+  });
   const save = (/** @type {string} */ mode) => async () => {
     const reply = await session.attempt("save", {mode});
     if (reply) app.toasts.show(`Saved: ${(reply.files ?? []).join(", ")}`);
@@ -50,7 +50,7 @@ export function createDeliverPanel(app) {
     section("Save edits", h("p", {class: "muted", text: "Into the scene's own files, with comments and layout kept; or as an incremental file beside them."}),
             h("div", {class: "actions"}, button("Save scene", () => void save("mi")(), {class: "primary", title: "Ctrl+S"}), button("Save incremental file", () => void save("incremental")()))),
     section("Present picture", h("div", {class: "actions"}, button("PNG", () => void deliver("png"), {title: "Tone-mapped as shown"}), button("EXR with layers", () => void deliver("exr")))),
-    section("Command line", h("div", {class: "command-row"}, command, copy), h("div", {class: "actions"}, button("Show command", () => void show(), {class: "small"}))),
+    section("Command line", command, h("div", {class: "actions"}, button("Show command", () => void show()), copy)),
     jobSection(app));
   return {element, save: save("mi")};
 }

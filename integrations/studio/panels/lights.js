@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The light mixer: strength and colour of each light layer, applied in the page.
 import {colorField} from "../ui/color_field.js";
-import {button, checkField, h, section} from "../ui/dom.js";
+import {button, checkField, h, uniqueId} from "../ui/dom.js";
 import {numberField} from "../ui/number_field.js";
+import {writeLight} from "../scene/write_light.js";
 
 /** @typedef {import("./app.js").App} App */
 
@@ -39,16 +40,20 @@ export function createLightsPanel(app) {
 
   const build = () => {
     list.replaceChildren(...session.state.light_layers.map((layer) => {
-      const s = display.mix.of(layer);
-      const on = checkField("On", s.on, (v) => { s.on = v; change(); });
+      const s = display.mix.of(layer), name = lightName(layer), id = uniqueId("light");
+      const on = h("input", {attributes: {id, type: "checkbox"}, on: {change: () => { s.on = on.checked; change(); }}});
+      on.checked = s.on;
       const strength = numberField({label: "Strength", value: s.strength, min: 0, low: 0, high: 4, reset: 1, onInput: (v) => { s.strength = v; change(); }});
       const color = colorField({label: "Colour", value: s.color, onInput: (v) => { s.color = /** @type {any} */ (v); change(); }});
       const solo = button("Solo", () => {
         for (const other of session.state.light_layers) display.mix.of(other).on = other === layer;
         change();
         build();
-      }, {class: "small"});
-      const group = section(lightName(layer), on.element, strength.element, color.element, h("div", {class: "actions"}, solo));
+      }, {class: "small", title: `Shows only ${name}`});
+      const apply = button("Write", () => void writeLight(app, name, s, build), {class: "small", title: `Multiplies the light ${name} of the scene by strength and colour, as an edit`});
+      const isLight = (session.outline?.lights ?? []).some((l) => l.name === name || l.instance === name);
+      const group = h("section", {class: "group"}, h("div", {class: "light-head"}, on, h("label", {text: name, attributes: {for: id}}), h("span", {class: "spring"}), solo, isLight ? apply : null),
+                      strength.element, color.element);
       group.dataset.layer = layer;
       return group;
     }));
@@ -71,5 +76,6 @@ export function createLightsPanel(app) {
   });
   session.on("welcome", requestLayers);
   display.on("restored", build);
+  session.on("outline", build);
   return element;
 }

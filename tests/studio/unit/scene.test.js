@@ -15,6 +15,7 @@ import {connectText, editTarget, editText, withoutTarget} from "../../../integra
 import {Latest} from "../../../integrations/studio/scene/latest.js";
 import {LightMix, mixDown} from "../../../integrations/studio/scene/light_mix.js";
 import {gridOnSurface} from "../../../integrations/studio/scene/lux_grid.js";
+import {lightEdits} from "../../../integrations/studio/scene/write_light.js";
 import {crc32, zipStored} from "../../../integrations/studio/scene/zip.js";
 
 test("edits are texts of --set", () => {
@@ -96,6 +97,15 @@ test("the mixer sums layers by their factors", () => {
   const plane = (v) => Uint16Array.from([v, v, v, 1].map(floatToHalf));
   const sum = mixDown([plane(9), plane(1), plane(2)], [[0, 0, 0], [2, 2, 2], [1, 0.5, 0]]);
   assert.deepEqual([...sum].slice(0, 3).map(halfToFloat), [4, 3, 2]);
+});
+
+test("the mixer writes strength to a scalar and colour to a colour", () => {
+  const p = (name, type, value) => ({name, type, value, set: `lamp.${name}`});
+  const setting = (strength, color) => ({on: true, strength, color});
+  assert.deepEqual(lightEdits([p("multiplier", "scalar", 3), p("color", "color", [1, 2, 4])], setting(2, [1, 1, 1])), ["lamp.multiplier=6"]);
+  assert.deepEqual(lightEdits([p("multiplier", "scalar", 3), p("color", "color", [1, 2, 4])], setting(2, [1, 0.5, 0])), ["lamp.color=2 2 0"]);
+  assert.deepEqual(lightEdits([p("color", "color", [1, 2, 4])], {...setting(2, [1, 1, 1]), on: false}), ["lamp.color=0 0 0"]);
+  assert.equal(lightEdits([p("exponent", "scalar", 2)], setting(2, [1, 1, 1])), null);
 });
 
 test("grids lie on the surface around the picked point", () => {
