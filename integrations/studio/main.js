@@ -13,6 +13,7 @@ import {createOutline} from "./panels/outline.js";
 import {DisplaySettings} from "./scene/display_settings.js";
 import {Events} from "./scene/events.js";
 import {focusAt} from "./scene/focus.js";
+import {toneOfScene} from "./scene/scene_exposure.js";
 import {Session} from "./scene/session.js";
 import {Snapshots} from "./scene/snapshots.js";
 import {createBanner} from "./ui/banner.js";
@@ -100,24 +101,16 @@ async function click(app, tool, x, y) {
 function installTone(app) {
   let done = false;
   app.session.on("state", (state) => {
-    if (done) return;
+    if (done || state.size[0] <= 1) return;  // the scene is not read yet
     done = true;
-    const e = state.exposure ?? {};
-    /** @type {Partial<import("./display/tone.js").ToneSettings>} */
-    const tone = {cm2: Number(e.cm2_factor ?? state.unit_luminance ?? 1)};
-    if (Number.isFinite(e.film_iso)) {
-      Object.assign(tone, {operator: "photographic", measured: e.film_iso > 0, iso: e.film_iso || 100, shutter: e.camera_shutter ?? 100,
-                           fNumber: e.f_number ?? 16, burn: e.burn_highlights ?? 0, crush: e.crush_blacks ?? 0.25,
-                           saturation: e.saturation ?? 1, gamma: e.gamma ?? 2.2});
-    }
-    app.display.changeTone(tone);
+    app.display.changeTone(toneOfScene(state));
   });
   // Without a photographic exposure in the scene, the first picture sets the exposure.
   let exposed = false;
   app.session.on("frame", async () => {
     if (exposed) return;
     exposed = true;
-    if (Number.isFinite(app.session.state.exposure?.film_iso)) return;
+    if (app.session.state.exposure) return;
     const [{automaticExposure}, {sampleColors}] = await Promise.all([import("./display/tone.js"), import("./panels/display.js")]);
     const stops = automaticExposure(sampleColors(app), app.display.tone);
     if (stops !== null) app.display.changeTone({exposure: Number(stops.toFixed(2))});

@@ -40,7 +40,7 @@
  * @property {Budget} budget
  * @property {boolean} look_stored
  * @property {{min: Triple, max: Triple} | null} [bounds]
- * @property {Record<string, number>} [exposure]
+ * @property {{shader: string, parameters?: Record<string, number>}} [exposure]
  */
 
 /**
@@ -83,6 +83,7 @@
  * @property {string} [unit]
  * @property {string} [doc]
  * @property {string} [support]
+ * @property {string} [form] values of a statement
  * @property {string} [group]
  * @property {string[]} [choices]
  * @property {boolean} [edited]
@@ -95,7 +96,9 @@
  * @property {string} [name]
  * @property {string} [slot]
  * @property {string} [doc]
- * @property {(Parameter | string)[]} parameters
+ * @property {boolean} [texture] the connection is a texture element
+ * @property {string} [file]
+ * @property {(Parameter | string)[]} parameters may be missing in connections of textures
  */
 
 /**

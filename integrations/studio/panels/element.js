@@ -10,10 +10,13 @@ import {openButton, parameterField} from "./parameter.js";
 
 const REFRESH_MS = 150;
 
+/** @param {ShaderCall} call @returns {(Parameter | string)[]} */
+const parametersOf = (call) => call.parameters ?? [];
+
 /** Text of the structure of an element: it changes if fields have to be made again. @param {SceneElement} e */
 export function structureOf(e) {
   /** @type {(s: ShaderCall) => string} */
-  const call = (s) => `${s.shader}(${s.parameters.map((p) => typeof p === "string" ? p :
+  const call = (s) => `${s.shader}(${parametersOf(s).map((p) => typeof p === "string" ? p :
       `${p.name}:${p.type}${p.connection ? call(p.connection) : ""}`).join(",")})`;
   return `${e.name} ${e.shaders.map(call).join(";")}`;
 }
@@ -43,27 +46,27 @@ export function createElementPanel(app) {
 
   /** @param {ShaderCall} call @param {string} path @param {number} depth @returns {HTMLElement} */
   const shaderView = (call, path, depth) => {
-    const parameters = call.parameters.filter((p) => typeof p !== "string");
+    const parameters = parametersOf(call).filter((p) => typeof p !== "string");
     const groups = grouped(/** @type {Parameter[]} */ (parameters));
     const views = groups.map(([group, list], i) => {
       const fields = list.flatMap((p) => {
         const key = `${path}/${p.name}`, field = parameterField(p, app);
         updates.set(key, field.update);
-        if (!p.connection) return [field.element];
+        if (!p.connection || p.connection.texture) return [field.element];
         const nested = h("details", {class: "connection"}, h("summary", {}, h("span", {text: p.connection.shader}), h("span", {class: "muted", text: ` ${p.connection.name ?? ""}`})));
         if (depth < 8) nested.append(shaderView(p.connection, key, depth + 1));
-        if (p.connection.name && p.connection.parameters.every((x) => typeof x === "string")) nested.append(openButton(p.connection.name, app));
+        if (p.connection.name && parametersOf(p.connection).every((x) => typeof x === "string")) nested.append(openButton(p.connection.name, app));
         return [field.element, nested];
       });
       return groups.length === 1 ? h("div", {class: "group-body"}, ...fields) : disclosure(group, i < 4, ...fields);
     });
-    const head = h("div", {class: "shader-head", title: call.doc ?? ""}, h("strong", {text: call.shader}), h("span", {class: "muted", text: call.slot ?? ""}));
+    const head = h("div", {class: "shader-head", title: call.doc ?? ""}, h("strong", {text: call.shader || "Statements"}), h("span", {class: "muted", text: call.shader ? call.slot ?? "" : ""}));
     return h("div", {class: "shader"}, depth === 0 ? head : null, ...views);
   };
 
   /** @param {ShaderCall} call @param {string} path */
   const updateCall = (call, path) => {
-    for (const p of call.parameters) {
+    for (const p of parametersOf(call)) {
       if (typeof p === "string") continue;
       updates.get(`${path}/${p.name}`)?.(p);
       if (p.connection) updateCall(p.connection, `${path}/${p.name}`);

@@ -24,7 +24,11 @@ export function createLightsPanel(app) {
     build();
     display.change();
   });
-  const none = h("p", {class: "empty", text: "The scene has no light layers."});
+  const none = h("div", {class: "group"}, h("p", {class: "muted", text: "The scene defines no light groups."}),
+                 h("div", {class: "actions"}, button("Make a group for each light", () => {
+                   display.mix.active = true;
+                   session.view({light_groups: "auto"});
+                 }, {title: "Renders again with one layer per light; the scene does not change"})));
   const element = h("div", {class: "panel"}, h("header", {}, h("h2", {text: "Light mixer"})),
                     h("p", {class: "muted", text: "The picture is the sum of its light layers. Sliders act at once and never restart the render."}),
                     none, h("div", {class: "group"}, toggle.element, h("div", {class: "actions"}, reset)), list);
@@ -66,6 +70,7 @@ export function createLightsPanel(app) {
     if (names === known) return;
     known = names;
     build();
+    if (display.mix.active) requestLayers();
   });
   let shownLayer = display.layer;
   display.on("change", () => {

@@ -26,6 +26,7 @@ function helpText(p) {
   const lines = [p.doc ?? ""];
   if (p.default !== undefined && p.default !== null && typeof p.default !== "object") lines.push(`Default: ${valueText(p.default)}`);
   if (Array.isArray(p.default)) lines.push(`Default: ${valueText(p.default)}`);
+  if (p.form) lines.push(`Values: ${p.form}`);
   if (p.support && p.support !== "exact") lines.push(`Support: ${p.support}`);
   if (p.set) lines.push(p.set);
   return lines.filter(Boolean).join("\n");
@@ -79,7 +80,7 @@ function bareField(p, value, edit, reset, app) {
       };
       return {element: field.element, update};
     }
-    case "texture": return textureField(p, value, app);
+    case "texture": return textureField(p, p.connection?.name ?? value, app);
     case "shader": return shaderField(p, value, app);
     case "string": case "transform": case "lightprofile": case "light": case "material": case "geometry": {
       const field = textField(p.name, valueText(value), (v) => edit(v, newGesture(p.name)));
@@ -156,7 +157,7 @@ function textureField(p, value, app) {
   });
   field.element.querySelector(".wide")?.prepend(image);
   return {element: field.element, update: (n) => {
-    const name = String(n.value ?? "");
+    const name = String(n.connection?.name ?? n.value ?? "");
     if (field.select.value !== name) void show(name);
     field.select.value = name;
   }};
