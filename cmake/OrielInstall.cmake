@@ -37,6 +37,12 @@ install(FILES ${CMAKE_SOURCE_DIR}/data/templates.mi DESTINATION share/oriel)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/data/textures DESTINATION share/oriel
         FILES_MATCHING PATTERN "*.exr" PATTERN "__pycache__" EXCLUDE)
 
+# The page of `oriel studio`, where the program looks for it.
+if(EXISTS ${CMAKE_SOURCE_DIR}/integrations/studio/index.html)
+  install(DIRECTORY ${CMAKE_SOURCE_DIR}/integrations/studio DESTINATION share/oriel
+          FILES_MATCHING REGEX "\\.(html|js|css|svg|png)$" PATTERN "node_modules" EXCLUDE)
+endif()
+
 # For those who write shaders: headers, and how CMake and pkg-config find them. Their places below
 # the prefix are by name, as the program and the package look there. `cmake --install BUILD
 # --component shaders` puts only these.

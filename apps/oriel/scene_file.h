@@ -30,10 +30,9 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 /// last.
 mi::ReadOptions read_options(const SceneArguments& arguments, const Registry& registry);
 
-/// Sets a parameter of a shader, material or light (of its first shader that has it) or a statement
-/// of an options block. `text` is element.parameter=value, the value as the language writes it.
+/// interactive::apply_edit() for the command line.
 ///
-/// Errors:  UserError that names what there is no such thing of, with the nearest name.
+/// Errors:  UsageError, UserError with the nearest name that exists.
 void apply_edit(scene::Scene& scene, const std::string& text, const Registry& registry);
 
 /// Prints what was not printed yet and is severe enough.

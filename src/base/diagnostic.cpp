@@ -69,6 +69,11 @@ void Diagnostics::report(Severity severity, std::string_view code, SourceLocatio
   all_.push_back({severity, std::string(code), where, std::move(message), std::move(hint)});
 }
 
+void Diagnostics::forget_after(std::size_t count) {
+  const std::scoped_lock lock(mutex_);
+  if (count < all_.size()) all_.resize(count);
+}
+
 std::size_t Diagnostics::count(Severity severity) const {
   return static_cast<std::size_t>(std::count_if(
       all_.begin(), all_.end(), [&](const Diagnostic& d) { return d.severity == severity; }));

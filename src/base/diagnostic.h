@@ -52,6 +52,8 @@ class Diagnostics {
   }
 
   const std::vector<Diagnostic>& all() const { return all_; }
+  /// Removes all diagnostics after the first `count`, of work that is repeated.
+  void forget_after(std::size_t count);
   std::size_t count(Severity severity) const;
   bool has(std::string_view code) const;
 

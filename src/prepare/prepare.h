@@ -45,4 +45,13 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
                                const Registry& registry, const PrepareOptions& options,
                                Diagnostics& diagnostics, PrepareReport& report);
 
+/// Places the camera of a prepared world again, after a change of its instance, its film or of
+/// PrepareOptions::width, height and camera.
+///
+/// Returns: false if more than the camera depends on the change: tessellation that depends on the
+///          view, or another camera element. The world has then to be prepared again.
+/// Checked: EditTable.* in tests/interactive
+bool place_camera_again(const scene::Scene& scene, const scene::RenderCommand& command,
+                        const PrepareOptions& options, World& world, Diagnostics& diagnostics);
+
 }  // namespace oriel

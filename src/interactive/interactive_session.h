@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// An interactive session: a render loop on its own thread, which takes work between passes.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "interactive/render_loop.h"
+
+namespace oriel::interactive {
+
+/// Callbacks of a session, from its threads; each should return at once.
+struct SessionCallbacks {
+  std::function<void()> picture;  ///< picture() has changed
+  std::function<void()> status;   ///< status() has changed
+};
+
+/// Runs a render loop on a thread.
+///
+/// Model:   tasks run on that thread in the order of posting, between passes; a running pass is
+///          interrupted and continues afterwards if no task changed anything. All tasks that wait
+///          run before rendering continues, so that many quick edits cause one restart.
+/// Checked: StudioSessionTest.* in tests/studio
+class InteractiveSession {
+ public:
+  using Task = std::function<void(RenderLoop&)>;
+
+  InteractiveSession(SceneSource source, const LoopSettings& settings, SessionCallbacks callbacks);
+  /// Waits for the running task.
+  ~InteractiveSession();
+  InteractiveSession(const InteractiveSession&) = delete;
+  InteractiveSession& operator=(const InteractiveSession&) = delete;
+
+  /// From any thread.
+  void post(Task task);
+  void set_paused(bool paused);
+  /// The newest picture; null before the first.
+  std::shared_ptr<const Picture> picture() const;
+  LoopStatus status() const { return loop_.status(); }
+  bool paused() const;
+  /// For tasks that take long: true when they should end, because other tasks wait or the session
+  /// ends.
+  const std::atomic<bool>& interrupted() const { return interrupt_; }
+
+ private:
+  void run();
+
+  struct Queue;  ///< tasks and the thread that takes them
+  std::unique_ptr<Queue> queue_;
+  std::atomic<bool> interrupt_ = false;
+  SessionCallbacks callbacks_;
+  RenderLoop loop_;
+};
+
+}  // namespace oriel::interactive

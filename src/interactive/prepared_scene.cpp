@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interactive/prepared_scene.h"
+
+#include <algorithm>
+
+#include "base/input_files.h"
+#include "interactive/light_grouping.h"
+#include "output/camera_output.h"
+#include "sdk/host.h"
+
+namespace oriel::interactive {
+
+PreparedScene::PreparedScene(SceneSource source, Diagnostics& diagnostics)
+    : source_(std::move(source)), diagnostics_(diagnostics) {}
+
+const Registry& PreparedScene::registry() const {
+  return host_ ? host_->registry() : *source_.registry;
+}
+
+PreparedScene::~PreparedScene() { close_world(); }
+
+void PreparedScene::close_world() {
+  if (world_) cache_.keep(*world_);
+  if (host_) host_->end_frame();
+  outputs_.clear();
+  world_.reset();
+  host_.reset();
+}
+
+bool PreparedScene::read() {
+  close_world();
+  cache_ = {};
+  edited_.reset();
+  diagnostics_.forget_after(0);
+  scene_ = std::make_unique<scene::Scene>();
+  mi::Reader reader(source_.path, source_.read, diagnostics_);
+  if (!reader.opened()) return false;
+  for (int i = 0; i < std::max(source_.frame, 1); ++i)
+    if (!reader.next_frame(*scene_)) return false;
+  if (source_.after_reading) source_.folders = source_.after_reading(*scene_);
+  edited_.emplace(*scene_, *source_.registry);
+  reading_diagnostics_ = diagnostics_.all().size();
+  return true;
+}
+
+PrepareOptions PreparedScene::prepare_options(const ViewSettings& view, int width,
+                                              int height) const {
+  PrepareOptions options;
+  options.width = width;
+  options.height = height;
+  options.camera = view.camera;
+  options.light_groups = view.light_groups;
+  if (view.group_lights && options.light_groups.empty())
+    options.light_groups = group_lights(*scene_, command());
+  return options;
+}
+
+bool PreparedScene::prepare_all(const ViewSettings& view, int width, int height) {
+  close_world();
+  forget_frame_inputs();
+  diagnostics_.forget_after(reading_diagnostics_);
+  host_ = std::make_unique<sdk::Host>(*scene_, *source_.registry, source_.folders, diagnostics_);
+  PrepareOptions options = prepare_options(view, width, height);
+  options.cache = &cache_;
+  PrepareReport report;
+  world_ = prepare(*scene_, command(), host_->registry(), options, diagnostics_, report);
+  if (!world_) return false;
+  if (source_.indirect) world_->options.indirect = *source_.indirect;
+  if (const scene::Camera* camera = find_camera(*scene_, command(), view.camera))
+    outputs_ = camera_output_shaders(*camera, *scene_, host_->registry(), *world_, diagnostics_);
+  Diagnostics reported;  // contradictions matter to photometric files alone
+  unit_ = source_.unit_luminance ? UnitLuminance{*source_.unit_luminance, "--unit-luminance"}
+                                 : unit_luminance(*world_, outputs_, reported);
+  return true;
+}
+
+void PreparedScene::apply_look(const ViewSettings& view) {
+  if (!view.look) return;
+  const std::optional<Mat4> to_camera = camera_matrix(*view.look);
+  if (!to_camera) return;
+  world_->camera.to_camera = *to_camera;
+  world_->camera.to_world = to_camera->inverse();
+  world_->camera.path.clear();
+}
+
+bool PreparedScene::update(const EditEffects& effects, const ViewSettings& view, int width,
+                           int height) {
+  if (!scene_) return false;
+  const bool all = !world_ || effects.has(kEffectWorld) || effects.has(kEffectMaterials);
+  const auto camera_alone = [&] {
+    return place_camera_again(*scene_, command(), prepare_options(view, width, height), *world_,
+                              diagnostics_);
+  };
+  if (all || (effects.has(kEffectCamera) && !camera_alone()))
+    if (!prepare_all(view, width, height)) return false;
+  apply_look(view);
+  return true;
+}
+
+void PreparedScene::resize_camera(const ViewSettings& view, int width, int height) {
+  place_camera_again(*scene_, command(), prepare_options(view, width, height), *world_,
+                     diagnostics_);
+  apply_look(view);
+}
+
+std::unique_ptr<World> PreparedScene::separate_world(const ViewSettings& view) {
+  const World& now = *world_;
+  PrepareOptions options = prepare_options(view, now.camera.width, now.camera.height);
+  PrepareReport report;
+  Diagnostics reported;
+  auto world = prepare(*scene_, command(), host_->registry(), options, reported, report);
+  if (!world) return nullptr;
+  world->options.indirect = now.options.indirect;
+  world->camera = now.camera;
+  return world;
+}
+
+}  // namespace oriel::interactive

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interactive/render_loop.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "interactive/map_files.h"
+#include "output/camera_output.h"
+
+namespace oriel::interactive {
+namespace {
+
+constexpr int kDragDivider = 4;  ///< of the finest picture while a pointer drags
+
+/// Seconds between copies of the film, by seconds since the change: more often costs time without
+/// showing more.
+double copy_interval(double since) {
+  if (since < 1) return 0.1;
+  if (since < 2) return 0.25;
+  if (since < 4) return 0.5;
+  return since < 8 ? 1 : 2;
+}
+
+/// Copies take at most this share of the time.
+constexpr double kCopyShare = 0.1;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Effects of a change of the view.
+EditEffects effects_between(const ViewSettings& a, const ViewSettings& b) {
+  EditEffects effects;
+  if (a.region != b.region || a.layers != b.layers || a.budget.samples != b.budget.samples ||
+      a.budget.noise != b.budget.noise || a.budget.seconds != b.budget.seconds)
+    effects.bits |= kEffectFilm;
+  if (a.look != b.look || a.size != b.size || a.scale != b.scale) effects.bits |= kEffectCamera;
+  if (a.camera != b.camera || a.light_groups != b.light_groups || a.group_lights != b.group_lights)
+    effects.bits |= kEffectWorld;
+  return effects;
+}
+
+}  // namespace
+
+RenderLoop::RenderLoop(SceneSource source, const LoopSettings& settings, Show show, Notify changed)
+    : scene_(std::move(source), diagnostics_),
+      settings_(settings),
+      show_(std::move(show)),
+      changed_(std::move(changed)) {}
+
+bool RenderLoop::read() {
+  set_state(LoopState::Loading);
+  session_.reset();
+  prepared_ = false;
+  if (!scene_.read()) {
+    set_state(LoopState::Failed);
+    return false;
+  }
+  change({kEffectWorld, {}});
+  return true;
+}
+
+void RenderLoop::change(const EditEffects& effects) {
+  if (effects.bits == kEffectNone) return;
+  if (pending_.bits == kEffectNone) changed_at_ = Clock::now();
+  pending_ |= effects;
+  session_.reset();
+  finished_ = false;
+}
+
+void RenderLoop::set_edits(const std::vector<std::string>& edits) {
+  session_.reset();  // its world refers to elements that change
+  finished_ = false;
+  EditEffects effects = scene_.edited().set(edits);
+  if (effects.bits == kEffectNone) effects.bits = kEffectFilm;
+  change(effects);
+}
+
+void RenderLoop::set_view(const ViewSettings& view) {
+  const EditEffects effects = effects_between(view_, view);
+  if (view_.dragging && !view.dragging) finished_ = false;
+  view_ = view;
+  view_.scale = std::clamp(view_.scale, 1, 8);
+  change(effects);
+}
+
+std::array<int, 2> RenderLoop::full_size() const {
+  if (view_.size) return *view_.size;
+  const scene::Camera* camera = find_camera(scene_.scene(), scene_.command(), view_.camera);
+  const Camera defaults;
+  return camera ? camera->resolution.value_or(std::array{defaults.width, defaults.height})
+                : std::array{defaults.width, defaults.height};
+}
+
+std::array<int, 2> RenderLoop::scaled_size() const {
+  const auto [width, height] = full_size();
+  return reduced_size(width, height, view_.scale);
+}
+
+std::array<int, 2> RenderLoop::requested_size() const {
+  if (!view_.size && view_.scale == 1) return {0, 0};
+  return scaled_size();
+}
+
+std::array<int, 2> RenderLoop::scaled_pixel(int x, int y) const {
+  const auto [width, height] = scaled_size();
+  return {std::clamp(x / view_.scale, 0, width - 1), std::clamp(y / view_.scale, 0, height - 1)};
+}
+
+LoopStatus RenderLoop::status() const {
+  const std::scoped_lock lock(mutex_);
+  return status_;
+}
+
+std::uint32_t RenderLoop::next_epoch() const {
+  return status().epoch + (pending_.bits != kEffectNone || !prepared_ ? 1 : 0);
+}
+
+void RenderLoop::set_state(LoopState state) {
+  {
+    const std::scoped_lock lock(mutex_);
+    status_.state = state;
+  }
+  if (changed_) changed_();
+}
+
+void RenderLoop::set_progress(const Progress& progress, int divider) {
+  {
+    const std::scoped_lock lock(mutex_);
+    status_.progress = progress;
+    status_.divider = divider;
+  }
+  if (changed_) changed_();
+}
+
+int RenderLoop::start_divider() const {
+  const auto [width, height] = scaled_size();
+  int divider = settings_.first_divider;
+  while (divider > 1 && std::max(width, height) / divider < settings_.least_long_side) divider /= 2;
+  return divider;
+}
+
+bool RenderLoop::prepare() {
+  if (!scene_.is_read()) return false;
+  if (prepared_ && pending_.bits == kEffectNone) return scene_.world() != nullptr;
+  session_.reset();
+  {
+    const std::scoped_lock lock(mutex_);
+    ++status_.epoch;
+    status_.progress = {};
+  }
+  set_state(LoopState::Preparing);
+  const auto [width, height] = requested_size();
+  prepared_ = scene_.update(pending_, view_, width, height);
+  pending_ = {};
+  first_picture_ = true;
+  last_copy_ = 0;
+  next_divider_ = start_divider();
+  if (!prepared_) set_state(LoopState::Failed);
+  return prepared_;
+}
+
+SessionSettings RenderLoop::session_settings(int divider) const {
+  SessionSettings settings;
+  settings.seed = settings_.seed;
+  settings.clamp = settings_.clamp;
+  settings.budget = view_.budget;
+  settings.unit_luminance = scene_.unit().cd_m2;
+  const Camera& camera = scene_.world()->camera;
+  if (view_.region || divider > 1)
+    settings.crop =
+        reduced_window(view_.region, divider * view_.scale, camera.width, camera.height);
+  request_layers(view_.layers, settings);
+  return settings;
+}
+
+bool RenderLoop::run(const std::atomic<bool>& cancel) {
+  if (finished_) return true;
+  if (!prepare()) {
+    finished_ = true;
+    return true;
+  }
+  set_state(LoopState::Rendering);
+  const int least = view_.dragging ? std::min(kDragDivider, start_divider()) : 2;
+  while (next_divider_ >= least && next_divider_ > 1) {
+    if (cancel || !run_preview(cancel)) return false;
+    next_divider_ /= 2;
+  }
+  if (view_.dragging && start_divider() > 1) {
+    finished_ = true;
+    return true;
+  }
+  if (cancel || !run_final(cancel)) return false;
+  finished_ = true;
+  set_state(LoopState::Converged);
+  return true;
+}
+
+bool RenderLoop::run_preview(const std::atomic<bool>& cancel) {
+  World& world = *scene_.world();
+  const auto [width, height] = scaled_size();
+  const auto [w, h] = reduced_size(width, height, next_divider_);
+  scene_.resize_camera(view_, w, h);
+  // Caches of indirect light take longer than such a picture.
+  const auto method = std::exchange(world.options.indirect, scene::IndirectMethod::Path);
+  SessionSettings settings = session_settings(next_divider_);
+  settings.budget = {.samples = 1};
+  bool done = false;
+  {
+    RenderSession session(world, settings);
+    set_progress({}, next_divider_);
+    done = session.run({}, &cancel) != StopReason::Cancelled;
+    if (done) copy_picture(session, next_divider_, true);
+  }
+  world.options.indirect = method;
+  const auto full = requested_size();
+  scene_.resize_camera(view_, full[0], full[1]);
+  return done;
+}
+
+bool RenderLoop::run_final(const std::atomic<bool>& cancel) {
+  if (!session_) {
+    SessionSettings settings = session_settings(1);
+    settings.map_files = allowed_map_files(*scene_.world(), scene_.source().path, diagnostics_);
+    settings.diagnostics = &diagnostics_;
+    session_.emplace(*scene_.world(), settings);
+  }
+  Progressive::Callbacks callbacks;
+  callbacks.progress = [this](const Progress& p) { set_progress(p, 1); };
+  callbacks.pass = [this](const Progress& p) {
+    set_progress(p, 1);
+    if (first_picture_ || p.pass <= 1 || is_copy_due()) copy_picture(*session_, 1, false);
+  };
+  callbacks.wants_pause = [this] { return session_->progress().pass > 0 && is_copy_due(); };
+  callbacks.paused = [this] { copy_picture(*session_, 1, false); };
+  const StopReason reason = session_->run(callbacks, &cancel);
+  set_progress(session_->progress(), 1);
+  if (reason == StopReason::Cancelled) {
+    // Incomplete caches would stay.
+    if (!session_->can_save()) session_.reset();
+    return false;
+  }
+  if (reason != StopReason::MapsOnly) copy_picture(*session_, 1, false);
+  return true;
+}
+
+bool RenderLoop::is_copy_due() const {
+  const double since = seconds_since(changed_at_);
+  return since - last_copy_ >= std::max(copy_interval(since), copy_seconds_ / kCopyShare);
+}
+
+void RenderLoop::copy_picture(const RenderSession& session, int divider, bool preview) {
+  const Clock::time_point start = Clock::now();
+  auto picture = std::make_shared<Picture>();
+  const Camera& camera = session.world().camera;
+  const Window& window = session.window();
+  picture->divider = divider * view_.scale;
+  picture->preview = preview;
+  picture->first = first_picture_;
+  picture->width = camera.width, picture->height = camera.height;
+  picture->x = window.x0, picture->y = camera.height - window.y1;
+  picture->w = window.width(), picture->h = window.height();
+  picture->samples = static_cast<std::uint32_t>(session.film().mean_samples());
+  picture->number = ++pictures_;
+  picture->layers = copy_layers(session, view_.layers);
+  {
+    const std::scoped_lock lock(mutex_);
+    picture->epoch = status_.epoch;
+    if (first_picture_) status_.latency = seconds_since(changed_at_);
+  }
+  first_picture_ = false;
+  last_copy_ = seconds_since(changed_at_);
+  copy_seconds_ = seconds_since(start);
+  if (show_) show_(std::move(picture));
+}
+
+}  // namespace oriel::interactive

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/controller.h"
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/parallel.h"
+#include "interactive/interactive_session.h"
+#include "studio/jobs.h"
+#include "studio/json_values.h"
+
+namespace oriel::studio {
+
+using interactive::EditError;
+using interactive::LoopState;
+using interactive::LoopStatus;
+
+const std::map<std::string, Controller::Handler>& Controller::handlers() {
+  using C = Controller;
+  static const std::map<std::string, Handler> table = {
+      {"view", &C::view},         {"edit", &C::edit},         {"set_edits", &C::set_edits},
+      {"undo", &C::undo},         {"redo", &C::redo},         {"store_camera", &C::store_camera},
+      {"daylight", &C::daylight}, {"sun_path", &C::sun_path}, {"focus", &C::focus},
+      {"save", &C::save},         {"reload", &C::reload},     {"relink", &C::relink},
+      {"restart", &C::restart},   {"outline", &C::outline},   {"element", &C::element},
+      {"shader", &C::shader},     {"pick", &C::pick},         {"probe", &C::probe},
+      {"lux_grid", &C::lux_grid}, {"explain", &C::explain},   {"command", &C::command},
+      {"deliver", &C::deliver},   {"job", &C::job},
+  };
+  return table;
+}
+
+Controller::Controller(StudioSettings settings, StudioServices services)
+    : settings_(std::move(settings)), services_(std::move(services)) {
+  if (!settings_.journal.empty()) journal_.emplace(settings_.journal);
+  interactive::SessionCallbacks callbacks;
+  callbacks.picture = [this] {
+    const std::scoped_lock lock(send_mutex_);
+    if (picture_changed_) picture_changed_();
+  };
+  callbacks.status = [this] { send_progress(); };
+  crashed_ = settings_.after_crash;
+  session_ = std::make_unique<interactive::InteractiveSession>(settings_.source, settings_.loop,
+                                                               callbacks);
+  session_->post([this](Loop& loop) {
+    if (crashed_) {
+      history_.push(journal_ ? journal_->read() : std::vector<std::string>());
+      return;
+    }
+    if (!loop.read()) return announce_state();
+    start();
+  });
+}
+
+Controller::~Controller() {
+  {
+    const std::scoped_lock lock(send_mutex_);
+    send_ = {};
+    picture_changed_ = {};
+  }
+  job_.reset();
+  session_.reset();
+}
+
+void Controller::connect(std::function<void(std::string)> send,
+                         std::function<void()> picture_changed) {
+  const std::scoped_lock lock(send_mutex_);
+  send_ = std::move(send);
+  picture_changed_ = std::move(picture_changed);
+}
+
+/// Applies the edits of the journal to the scene that was just read, one by one: a file that was
+/// changed meanwhile may not take all of them.
+void Controller::start() {
+  session_->post([this](Loop& loop) {
+    std::vector<std::string> edits, journal;
+    if (journal_) journal = journal_->read();
+    for (const std::string& edit : journal) {
+      edits.push_back(edit);
+      try {
+        loop.set_edits(edits);
+      } catch (const EditError&) {
+        edits.pop_back();
+      }
+    }
+    if (!edits.empty()) history_.push(edits);
+    announce_state();
+  });
+}
+
+void Controller::send(const json& message) {
+  const std::scoped_lock lock(send_mutex_);
+  if (send_) send_(dumped(message));
+}
+
+void Controller::send_error(const json& id, const std::string& code, const std::string& message) {
+  send({{"type", "error"}, {"id", id}, {"code", code}, {"message", message}});
+}
+
+void Controller::client_connected() {
+  namespace fs = std::filesystem;
+  send({{"type", "welcome"},
+        {"version", 1},
+        {"program", ORIEL_VERSION},
+        {"scene",
+         {{"file", fs::path(settings_.shown_name).filename().string()},
+          {"folder", scene_folder()},
+          {"model", settings_.is_model}}}});
+  if (crashed_)
+    session_->post([this](Loop&) {
+      send({{"type", "crashed"},
+            {"message", "the renderer ended unexpectedly; the edits were kept"},
+            {"edits", history_.now().size()}});
+    });
+  announce_state();
+  send_progress();
+}
+
+void Controller::client_left() {}
+
+void Controller::text(const std::string& message) {
+  const json request = json::parse(message, nullptr, false);
+  if (!request.is_object()) return;
+  const json id = request.contains("id") ? request["id"] : json();
+  if (!request.contains("type") || !request["type"].is_string())
+    return send_error(id, "bad-request", "the field \"type\" is missing");
+  const std::string type = request["type"];
+  if (type == "cancel") return;  // long requests end when any request follows
+  const auto found = handlers().find(type);
+  if (found == handlers().end())
+    return send_error(id, "unknown-type", "unknown type \"" + type + "\"");
+  const Handler handler = found->second;
+  session_->post([this, handler, request](Loop& loop) { run_request(loop, handler, request); });
+}
+
+void Controller::run_request(Loop& loop, Handler handler, const json& request) {
+  const json id = request.contains("id") ? request["id"] : json();
+  try {
+    const bool needs_scene = handler != &Controller::restart && handler != &Controller::undo &&
+                             handler != &Controller::reload && handler != &Controller::set_edits;
+    if (needs_scene && !loop.scene().is_read())
+      throw RequestError("failed",
+                         crashed_ ? "the renderer is not running" : "the scene could not be read");
+    json reply = (this->*handler)(loop, request);
+    reply["type"] = "reply";
+    reply["id"] = id;
+    send(reply);
+  } catch (const EditError& error) {
+    send_error(id, "bad-edit", error.what());
+  } catch (const RequestError& error) {
+    send_error(id, error.code, error.what());
+  } catch (const nlohmann::json::exception& error) {
+    send_error(id, "bad-request", error.what());
+  } catch (const std::exception& error) {
+    send_error(id, "failed", error.what());
+  }
+}
+
+Controller::json Controller::restart(Loop& loop, const json&) {
+  if (crashed_.exchange(false)) {
+    if (!loop.read()) throw RequestError("failed", "the scene could not be read");
+    loop.set_edits(history_.now());
+    announce_state();
+  }
+  return {{"epoch", loop.next_epoch()}};
+}
+
+std::shared_ptr<const interactive::Picture> Controller::picture() { return session_->picture(); }
+
+void Controller::send_progress() {
+  using namespace std::chrono;
+  const LoopStatus status = session_ ? session_->status() : LoopStatus();
+  const auto now = duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
+  const int state = static_cast<int>(status.state);
+  const bool changed = last_state_.exchange(state) != state;
+  if (!changed && now - last_progress_ < 100 && status.progress.done < 1) return;
+  last_progress_ = now;
+  constexpr const char* kStates[] = {"loading", "preparing", "rendering", "converged", "failed"};
+  const Progress& p = status.progress;
+  json message = {{"type", "progress"},   {"epoch", status.epoch},     {"divider", status.divider},
+                  {"pass", p.pass},       {"samples", p.mean_samples}, {"noise", nullptr},
+                  {"elapsed", p.elapsed}, {"remaining", nullptr},      {"done", p.done},
+                  {"stage", nullptr},     {"latency", nullptr},        {"status", kStates[state]}};
+  if (p.noise && std::isfinite(*p.noise)) message["noise"] = *p.noise;
+  if (p.remaining) message["remaining"] = *p.remaining;
+  if (p.stage) message["stage"] = p.stage;
+  if (status.latency) message["latency"] = *status.latency;
+  if (session_ && session_->paused()) message["status"] = "paused";
+  if (crashed_) message["status"] = "crashed";
+  send(message);
+}
+
+void Controller::announce_state() {
+  if (!session_ || state_announced_.exchange(true)) return;
+  session_->post([this](Loop& loop) {
+    state_announced_ = false;
+    send_state(loop);
+    send_messages(loop);
+  });
+}
+
+std::string Controller::scene_folder() const {
+  return std::filesystem::absolute(settings_.source.path).parent_path().string();
+}
+
+}  // namespace oriel::studio

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// After each kind of edit, undo and redo the picture is that of a scene that was read afresh.
+#include "interactive/edit_effects.h"
+#include "interactive/loop_support.h"
+#include "mi/reader.h"
+#include "prepare/prepare.h"
+
+namespace oriel::interactive {
+namespace {
+
+struct EditCase {
+  const char* name;
+  const char* edit;
+  EffectBits effect;
+  bool changes = true;  ///< the picture
+};
+
+class EditTable : public LoopTest, public ::testing::WithParamInterface<EditCase> {};
+
+using std::vector;
+
+TEST_P(EditTable, PictureEqualsAFreshScene) {
+  const EditCase& c = GetParam();
+  RenderLoop live(source(), {}, {});
+  live.set_view(small_view());
+  ASSERT_TRUE(live.read());
+  finish(live);
+  const vector<float> before = beauty(live);
+  ASSERT_FALSE(before.empty());
+  live.set_edits({c.edit});
+  finish(live);
+  const vector<float> edited = beauty(live);
+
+  RenderLoop fresh(source(), {}, {});
+  fresh.set_view(small_view());
+  ASSERT_TRUE(fresh.read());
+  fresh.set_edits({c.edit});
+  finish(fresh);
+  EXPECT_EQ(edited, beauty(fresh));
+  EXPECT_EQ(edited != before, c.changes) << "the edit has no effect, so the test shows nothing";
+
+  live.set_edits({});
+  finish(live);
+  EXPECT_EQ(beauty(live), before) << "undo";
+  live.set_edits({c.edit});
+  finish(live);
+  EXPECT_EQ(beauty(live), edited) << "redo";
+}
+
+TEST_P(EditTable, EffectsAreThoseOfTheTable) {
+  RenderLoop loop(source(), {}, {});
+  ASSERT_TRUE(loop.read());
+  EditedScene& scene = loop.scene().edited();
+  EXPECT_EQ(scene.set({GetParam().edit}).bits, GetParam().effect);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, EditTable,
+    ::testing::Values(
+        EditCase{"Colour", "floor_mtl.diffuse=.1 .6 .2", kEffectMaterials},
+        EditCase{"Gloss", "floor_mtl.refl_gloss=.4", kEffectMaterials},
+        EditCase{"Emission", "box_mtl.ambience=1 1 1", kEffectMaterials, false},
+        EditCase{"CutOut", "floor_mtl.cutout_opacity=.5", kEffectMaterials},
+        EditCase{"LightColour", "lamp.color=1 40 3", kEffectWorld},
+        EditCase{"LightOrigin", "lamp.origin=1 0 2", kEffectWorld},
+        EditCase{"Focal", "cam.focal=50", kEffectCamera},
+        EditCase{"Resolution", "cam.resolution=32 32", kEffectCamera},
+        EditCase{"CameraTransform",
+                 "cam_inst.transform=1 0 0 0 0 .4472136 -.8944272 0 0 .8944272 .4472136 0 .5 "
+                 "-1.3416408 -4.9193496 1",
+                 kEffectCamera},
+        EditCase{"ObjectTransform", "wall_inst.transform=1 0 0 0 0 1 0 0 0 0 1 0 .5 0 0 1",
+                 kEffectWorld},
+        EditCase{"ObjectVisible", "wall_inst.visible=off", kEffectWorld},
+        EditCase{"Depth", "opt.trace depth=1 1 1", kEffectWorld},
+        EditCase{"Shadow", "opt.shadow=off", kEffectWorld}),
+    [](const auto& info) { return info.param.name; });
+
+class RenderLoopTest : public LoopTest {};
+
+/// The picture of a session without any of this.
+vector<float> plain_picture(const SceneSource& source, const BudgetRequest& budget) {
+  Diagnostics diagnostics;
+  scene::Scene scene = mi::read_scene(source.path, source.read, diagnostics);
+  PrepareReport report;
+  const auto world =
+      prepare(scene, scene.renders.back(), *source.registry, {}, diagnostics, report);
+  SessionSettings settings;
+  settings.budget = budget;
+  RenderSession session(*world, settings);
+  session.run();
+  vector<float> values;
+  for (int y = 0; y < session.film().height(); ++y)
+    for (int x = 0; x < session.film().width(); ++x) {
+      const Rgba c = session.film().pixel(x, y).beauty;
+      values.insert(values.end(), {c.r, c.g, c.b, c.a});
+    }
+  return values;
+}
+
+TEST_F(RenderLoopTest, FinishedPictureIsThatOfAPlainSession) {
+  LoopSettings settings;
+  settings.least_long_side = 4;  // all reduced pictures come first
+  int pictures = 0;
+  RenderLoop loop(source(), settings, [&](const auto& picture) {
+    ++pictures;
+    EXPECT_EQ(picture->width, (48 + picture->divider - 1) / picture->divider);
+  });
+  loop.set_view(small_view());
+  ASSERT_TRUE(loop.read());
+  finish(loop);
+  EXPECT_GE(pictures, 4);
+  EXPECT_EQ(beauty(loop), plain_picture(source(), small_view().budget));
+}
+
+TEST_F(RenderLoopTest, InterruptionsDoNotChangeThePicture) {
+  std::atomic<bool> stop = false;
+  int calls = 0;
+  RenderLoop loop(source(), {}, {}, [&] { stop = ++calls % 2 == 0; });
+  loop.set_view(small_view());
+  ASSERT_TRUE(loop.read());
+  int runs = 0;
+  while (!loop.run(stop)) {
+    stop = false;
+    ASSERT_LT(++runs, 1000);
+  }
+  EXPECT_GT(runs, 0);
+  EXPECT_EQ(beauty(loop), plain_picture(source(), small_view().budget));
+}
+
+TEST_F(RenderLoopTest, BadEditsChangeNothing) {
+  RenderLoop loop(source(), {}, {});
+  loop.set_view(small_view());
+  ASSERT_TRUE(loop.read());
+  loop.set_edits({"floor_mtl.diffuse=.1 .6 .2"});
+  finish(loop);
+  const vector<float> edited = beauty(loop);
+  EXPECT_THROW(loop.set_edits({"lamp.origin=1 0 2", "flor_mtl.diffuse=1"}), EditError);
+  EXPECT_EQ(loop.scene().edited().edits(), vector<std::string>{"floor_mtl.diffuse=.1 .6 .2"});
+  finish(loop);
+  EXPECT_EQ(beauty(loop), edited);
+}
+
+TEST_F(RenderLoopTest, LooksArePlacedLikeInstances) {
+  RenderLoop loop(source(), {}, {});
+  ViewSettings view = small_view();
+  view.look = Look{{0, -5, 2}, {0, 1, .5f}, {0, 0, 1}};
+  loop.set_view(view);
+  ASSERT_TRUE(loop.read());
+  finish(loop);
+  const vector<float> looked = beauty(loop);
+  const Mat4 m = *camera_matrix(*view.look);
+  std::string edit = "cam_inst.transform=";
+  for (int i = 0; i < 16; ++i) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%.9g ", static_cast<double>(m[i / 4][i % 4]));
+    edit += number;
+  }
+  view.look.reset();
+  loop.set_view(view);
+  loop.set_edits({edit});
+  finish(loop);
+  EXPECT_EQ(beauty(loop), looked);
+}
+
+}  // namespace
+}  // namespace oriel::interactive

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+// A client edits, measures, saves; the program's other commands give the same values.
+#include <cmath>
+#include <memory>
+#include <thread>
+
+#include "image/files.h"
+#include "studio_client.h"
+
+namespace oriel::studio {
+namespace {
+
+class StudioSessionTest : public StudioTest {
+ protected:
+  /// Waits until the picture of the newest epoch is finished.
+  static json converged(TestSocket& socket, std::uint32_t epoch) {
+    return socket.wait([&](const json& m) {
+      return m["type"] == "progress" && m["status"] == "converged" && m["epoch"] >= epoch;
+    });
+  }
+  /// Beauty of the finished picture of that client, as an EXR file of the server.
+  std::vector<float> delivered(TestSocket& socket) {
+    const json reply = socket.ask({{"type", "deliver"}, {"kind", "exr"}});
+    EXPECT_EQ(reply["type"], "reply") << reply;
+    return pixels_of(fetch(reply["url"]));
+  }
+  std::string fetch(const std::string& url) const {
+    const std::string answer =
+        raw("GET " + url + " HTTP/1.1\r\n" + host() + "X-Oriel-Token: " + token + "\r\n\r\n");
+    EXPECT_EQ(std::atoi(answer.c_str() + 9), 200);
+    return answer.substr(answer.find("\r\n\r\n") + 4);
+  }
+  std::vector<float> pixels_of(const std::string& exr) {
+    std::ofstream(file("fetched.exr"), std::ios::binary) << exr;
+    return read_image(file("fetched.exr")).pixels;
+  }
+  /// The picture of `oriel render` with edits.
+  std::vector<float> rendered(const std::string& scene, const std::vector<std::string>& edits) {
+    std::vector<std::string> words = {"render", scene, "-o", "rendered.exr", "--samples", "8"};
+    for (const std::string& edit : edits) words.insert(words.end(), {"--set", edit});
+    EXPECT_EQ(run(words).exit_code, 0);
+    return read_image(file("rendered.exr")).pixels;
+  }
+  pid_t renderer() const {
+    std::ifstream children("/proc/" + std::to_string(process_) + "/task/" +
+                           std::to_string(process_) + "/children");
+    pid_t child = 0;
+    children >> child;
+    return child;
+  }
+};
+
+const std::vector<std::string> kEdits = {"grey.diffuse=.7 .2 .1", "lamp.origin=1 1 -3"};
+
+// acceptance: W2
+TEST_F(StudioSessionTest, EveryParameterOfAPickedMaterialCanBeEditedUndoneAndSaved) {
+  serve();
+  auto socket = client();
+  const json budget = socket->ask({{"type", "view"}, {"budget", {{"samples", 8}}}});
+  converged(*socket, budget["epoch"]);
+  const std::vector<float> original = delivered(*socket);
+  EXPECT_EQ(original, rendered("scene.mi", {}));
+
+  const json pick = socket->ask({{"type", "pick"}, {"x", 24}, {"y", 28}});
+  ASSERT_EQ(pick["material"], "grey") << pick;
+  EXPECT_EQ(pick["instance"], "floor_inst");
+  const json& parameters = pick["element"]["shaders"][0]["parameters"];
+  ASSERT_GT(parameters.size(), 50u);
+  int numbers = 0;
+  for (const json& p : parameters) {
+    const std::string type = p["type"], set = p["set"];
+    const std::string value = type == "boolean"   ? "on"
+                              : type == "integer" ? "1"
+                              : type == "scalar"  ? "0.5"
+                              : type == "color"   ? "0.1 0.2 0.3"
+                              : type == "vector"  ? "0 0 1"
+                                                  : "";
+    if (value.empty()) continue;
+    ++numbers;
+    const json reply = socket->ask({{"type", "edit"}, {"edits", {set + "=" + value}}});
+    ASSERT_EQ(reply["type"], "reply") << set << reply;
+    const json again = socket->ask({{"type", "element"}, {"name", "grey"}});
+    for (const json& q : again["shaders"][0]["parameters"])
+      if (q["name"] == p["name"]) {
+        EXPECT_EQ(q["edited"], true) << set;
+        EXPECT_TRUE(q.contains("value")) << set;
+      }
+    ASSERT_EQ(socket->ask({{"type", "undo"}})["type"], "reply");
+  }
+  EXPECT_GT(numbers, 40);
+
+  json reply = socket->ask({{"type", "edit"}, {"edits", kEdits}});
+  converged(*socket, reply["epoch"]);
+  const std::vector<float> edited = delivered(*socket);
+  EXPECT_EQ(edited, rendered("scene.mi", kEdits));
+  EXPECT_NE(edited, original);
+  reply = socket->ask({{"type", "undo"}});
+  converged(*socket, reply["epoch"]);
+  EXPECT_EQ(delivered(*socket), original);
+  reply = socket->ask({{"type", "redo"}});
+  converged(*socket, reply["epoch"]);
+
+  const std::string before = text_of(file("scene.mi"));
+  const json saved = socket->ask({{"type", "save"}, {"mode", "mi"}});
+  EXPECT_EQ(saved["files"], json({"scene.mi"})) << saved;
+  EXPECT_EQ(rendered("scene.mi", {}), edited);
+  std::string after = text_of(file("scene.mi"));
+  const auto put_back = [&](const std::string& now, const std::string& old) {
+    const std::size_t at = after.find(now);
+    ASSERT_NE(at, std::string::npos) << now;
+    after.replace(at, now.size(), old);
+  };
+  put_back("\"diffuse\" .7 .2 .1", "\"diffuse\" .5 .5 .5");
+  put_back("origin 1 1 -3", "origin 0 1 -3");
+  EXPECT_EQ(after, before) << "other bytes have changed";
+}
+
+TEST_F(StudioSessionTest, PixelsArriveReducedFirstAndAtFullSizeInTheEnd) {
+  serve();
+  auto socket = client();
+  const json reply = socket->ask({{"type", "view"},
+                                  {"size", {320, 200}},
+                                  {"budget", {{"samples", 2}}},
+                                  {"layers", {"depth", "normal"}}});
+  socket->strips.clear();
+  converged(*socket, reply["epoch"]);
+  socket->ask({{"type", "outline"}});
+  ASSERT_FALSE(socket->strips.empty());
+  const auto u16 = [](const std::string& s, std::size_t at) {
+    return static_cast<unsigned char>(s[at]) | static_cast<unsigned char>(s[at + 1]) << 8;
+  };
+  int first_divider = 0;
+  for (const std::string& s : socket->strips) {
+    ASSERT_GE(s.size(), 32u);
+    EXPECT_EQ(TestSocket::word(s, 0), 0x4C49524Fu);
+    constexpr int kBytes[] = {6, 8, 4};
+    EXPECT_EQ(s.size(),
+              32u + static_cast<std::size_t>(u16(s, 20) * u16(s, 22) * kBytes[int(s[6])]));
+    if (TestSocket::word(s, 8) < reply["epoch"]) continue;
+    if (first_divider == 0) first_divider = u16(s, 14);
+  }
+  EXPECT_EQ(first_divider, 2) << "the long side of the first picture has at least 128 pixels";
+  const std::string& last = socket->strips.back();
+  EXPECT_EQ(u16(last, 14), 1);
+  EXPECT_EQ(u16(last, 20), 320);
+}
+
+TEST_F(StudioSessionTest, SlowClientsGetTheNewestPictureOnly) {
+  serve();
+  auto socket = client();
+  socket->acknowledges = false;
+  for (int i = 0; i < 5; ++i) {
+    const json reply = socket->ask(
+        {{"type", "edit"}, {"edits", {"grey.diffuse=." + std::to_string(i + 1) + " 0 0"}}});
+    converged(*socket, reply["epoch"]);
+  }
+  std::set<std::uint32_t> frames;
+  for (const std::string& s : socket->strips) frames.insert(TestSocket::word(s, 28));
+  EXPECT_LE(frames.size(), 2u) << "two frames wait for their acknowledgement";
+}
+
+// acceptance: W4
+TEST_F(StudioSessionTest, MeasuredValuesAreThoseOfTheProgram) {
+  serve({"scene.mi", "--unit-luminance", "100"});
+  auto socket = client();
+  const json reply = socket->ask({{"type", "view"}, {"budget", {{"samples", 8}}}});
+  converged(*socket, reply["epoch"]);
+
+  const json probe = socket->ask({{"type", "probe"}, {"x", 24}, {"y", 28}, {"seconds", 60}});
+  const RunResult m =
+      run({"measure", "scene.mi", "--unit-luminance", "100", "--pixel", "24,28", "--json"});
+  const json spot = json::parse(m.out)["spots"][0];
+  for (const char* name :
+       {"luminance", "illuminance", "position", "normal", "distance", "material", "instance"})
+    EXPECT_EQ(probe[name], spot[name]) << name;
+
+  const json grid = socket->ask({{"type", "lux_grid"},
+                                 {"origin", {-2, -0.9, -6}},
+                                 {"u", {4, 0, 0}},
+                                 {"v", {0, 0, -2}},
+                                 {"normal", {0, 1, 0}},
+                                 {"columns", 3},
+                                 {"rows", 2},
+                                 {"seconds", 60}});
+  const RunResult g = run({"measure", "scene.mi", "--unit-luminance", "100", "--grid",
+                           "-2,-0.9,-6:4,0,0:0,0,-2:3x2", "--normal", "0,1,0", "--json"});
+  EXPECT_EQ(grid["illuminance"]["mean"], json::parse(g.out)["illuminance"]["mean"]) << g.err;
+  EXPECT_EQ(grid["illuminance"]["sensors"], json::parse(g.out)["illuminance"]["sensors"]);
+
+  const json explained = socket->ask({{"type", "explain"}, {"x", 24}, {"y", 28}, {"samples", 16}});
+  const RunResult e = run({"explain", "scene.mi", "--pixel", "24,28", "--samples", "16", "--json"});
+  EXPECT_EQ(explained["facts"]["surfaces"], json::parse(e.out)["surfaces"]);
+  EXPECT_EQ(explained["facts"]["colour"], json::parse(e.out)["colour"]);
+
+  // False colours are those of the layer `luminance`, in cd/m2.
+  socket->strips.clear();
+  const json shown = socket->ask({{"type", "view"}, {"layers", {"luminance"}}});
+  converged(*socket, shown["epoch"]);
+  socket->ask({{"type", "outline"}});
+  EXPECT_EQ(socket->strips.back()[6], 2) << "R32F";
+}
+
+TEST_F(StudioSessionTest, LightLayersSumToTheBeauty) {
+  serve();
+  auto socket = client();
+  const json reply =
+      socket->ask({{"type", "view"}, {"light_groups", "auto"}, {"budget", {{"samples", 4}}}});
+  json state = socket->wait([](const json& m) {
+    return m["type"] == "state" && m.contains("light_layers") && !m["light_layers"].empty();
+  });
+  EXPECT_EQ(state["light_layers"][0], "light_lamp_inst");
+  const json layers = socket->ask({{"type", "view"}, {"layers", state["light_layers"]}});
+  converged(*socket, std::max(reply["epoch"].get<int>(), layers["epoch"].get<int>()));
+  const json exr = socket->ask({{"type", "deliver"}, {"kind", "exr"}});
+  EXPECT_EQ(exr["type"], "reply") << exr;
+}
+
+TEST_F(StudioSessionTest, DaylightIsThatOfTheProgram) {
+  std::string scene = small_scene();
+  const std::string lamp =
+      "light \"lamp\" \"mib_light_point\" ( \"color\" 1 1 1 ) origin 0 1 -3 end light";
+  const std::size_t at = scene.find(lamp);
+  ASSERT_NE(at, std::string::npos);
+  scene.replace(at, lamp.size(),
+                "light \"lamp\" \"mia_physicalsun\" ( \"y_is_up\" on ) direction 0 -1 0 end light");
+  write("sun.mi", scene);
+  serve({"sun.mi"});
+  auto socket = client();
+  const json reply = socket->ask({{"type", "daylight"},
+                                  {"latitude", 48.14},
+                                  {"longitude", 11.58},
+                                  {"time", "2026-06-21T15:00+02:00"},
+                                  {"north", 30}});
+  ASSERT_EQ(reply["type"], "reply") << reply;
+  EXPECT_NEAR(reply["elevation"], 58, 3);
+  const json view = socket->ask({{"type", "view"}, {"budget", {{"samples", 8}}}});
+  converged(*socket, view["epoch"]);
+  const RunResult r = run({"render", "sun.mi", "-o", "sun.exr", "--samples", "8", "--sun",
+                           "48.14,11.58,2026-06-21T15:00+02:00", "--north", "30"});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(delivered(*socket), read_image(file("sun.exr")).pixels);
+}
+
+// acceptance: W6
+TEST_F(StudioSessionTest, EditsSurviveACrash) {
+  serve();
+  {
+    auto socket = client();
+    ASSERT_EQ(socket->ask({{"type", "edit"}, {"edits", kEdits}})["type"], "reply");
+    const pid_t child = renderer();
+    ASSERT_GT(child, 0);
+    kill(child, SIGSEGV);
+    socket->close_code();
+  }
+  // The supervisor still listens, so connecting waits for the new process.
+  auto socket = client();
+  const json crashed = socket->wait_for("crashed");
+  EXPECT_EQ(crashed["edits"], 2);
+  EXPECT_EQ(socket->ask({{"type", "outline"}})["code"], "failed") << "it waits for the user";
+  json reply = socket->ask({{"type", "restart"}});
+  EXPECT_EQ(reply["type"], "reply") << reply;
+  reply = socket->ask({{"type", "view"}, {"budget", {{"samples", 8}}}});
+  converged(*socket, reply["epoch"]);
+  EXPECT_EQ(delivered(*socket), rendered("scene.mi", kEdits));
+}
+
+TEST_F(StudioSessionTest, UnsavedEditsAreThereInTheNextSession) {
+  serve();
+  client()->ask({{"type", "edit"}, {"edits", kEdits}});
+  stop(SIGTERM);
+  serve();
+  auto socket = client();
+  const json state = socket->wait_for("state");
+  EXPECT_EQ(state["edits"], kEdits);
+  socket->ask({{"type", "undo"}});
+  stop(SIGTERM);
+  serve();
+  EXPECT_EQ(client()->wait_for("state")["edits"], json::array());
+}
+
+TEST_F(StudioSessionTest, FinalRendersPauseAndResume) {
+  serve();
+  auto socket = client();
+  const json started =
+      socket->ask({{"type", "job"}, {"action", "start"}, {"file", "final.exr"}, {"samples", 8}});
+  ASSERT_EQ(started["type"], "reply") << started;
+  const json done =
+      socket->wait([](const json& m) { return m["type"] == "job" && m["state"] != "running"; });
+  EXPECT_EQ(done["state"], "done") << done;
+  EXPECT_EQ(read_image(file("final.exr")).pixels, rendered("scene.mi", {}));
+}
+
+}  // namespace
+}  // namespace oriel::studio
