@@ -15,14 +15,15 @@ const ORIEL = process.env.ORIEL, ROOT = fileURLToPath(new URL("../../../", impor
 const SHOTS = process.env.ORIEL_STUDIO_SHOTS;
 const SCENES = {
   room: {folder: "scenes/guide", file: "room.mi", material: "oak", gloss: "oak.refl_gloss=0.35", saved: "room.mi", size: [240, 160], samples: 8},
-  interior: {folder: "scenes/interior", file: "interior.mi", material: "floor", gloss: "floor.refl_gloss=0.35", saved: "materials.mi", size: [960, 540], samples: 24},
+  interior: {folder: "scenes/interior", file: "interior.mi", material: "oak_1", gloss: "oak_1_s.refl_gloss=0.35", saved: "materials.mi", size: [960, 540], samples: 24},
 };
 const SCENE = SCENES[process.env.ORIEL_STUDIO_SCENE ?? "room"];
 
 function reasonToSkip() {
   if (!CHROMIUM) return "chromium is not installed";
   if (!ORIEL) return "the program is not built";
-  return spawnSync(ORIEL, ["studio", "--help"]).status === 0 ? false : "the program has no command studio";
+  const help = spawnSync(ORIEL, ["studio", "--help"], {encoding: "utf8"});
+  return help.stdout.includes("--page") ? false : "the program has no command studio";
 }
 
 /** Starts the program; resolves with address and token of the line that it prints. */
@@ -37,7 +38,7 @@ async function startProgram(scene) {
   const found = /^(http:\/\/127\.0\.0\.1:\d+\/)#token=(\w+)$/.exec(line);
   assert.ok(found, line);
   const ended = new Promise((resolve) => child.once("exit", resolve));
-  return {url: found[1], token: found[2], stop: async () => { child.kill("SIGINT"); await ended; }, log: () => log};
+  return {url: found[1], token: found[2], stop: async () => { const timer = setTimeout(() => child.kill("SIGKILL"), 20000); child.kill("SIGINT"); await ended; clearTimeout(timer); }, log: () => log};
 }
 
 const converged = (page) => page.waitForFunction(() => {
@@ -70,8 +71,9 @@ test("open, edit, move the sun, measure, relight, save, open again: the same pic
   const folder = mkdtempSync(join(tmpdir(), "oriel-studio-"));
   cpSync(join(ROOT, SCENE.folder), folder, {recursive: true});
   const scene = join(folder, SCENE.file), browser = await openBrowser();
-  let program = await startProgram(scene);
+  /** @type {{url: string, token: string, stop: () => Promise<void>} | null} */ let program = null;
   try {
+    program = await startProgram(scene);
     const {page, check} = await open(browser, program);
     const first = await readCanvas(page);
     assert.ok(new Set(first.pixels).size > 40, "the picture is neither black nor constant");
@@ -190,7 +192,7 @@ test("open, edit, move the sun, measure, relight, save, open again: the same pic
     again.check();
   } finally {
     await browser.close();
-    await program.stop().catch(() => {});
+    await program?.stop();
     if (existsSync(folder)) rmSync(folder, {recursive: true});
   }
 });
