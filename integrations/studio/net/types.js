@@ -150,7 +150,6 @@
  * @property {number} min
  * @property {number} max
  * @property {number} uniformity
- * @property {number[]} [illuminance_values]
  */
 
 /**

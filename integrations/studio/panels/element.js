@@ -2,6 +2,7 @@
 // The edit panel: the parameters of the selected element, in groups, with connected shaders as a tree.
 import {button, disclosure, h} from "../ui/dom.js";
 import {openButton, parameterField} from "./parameter.js";
+import {grouped} from "./parameter_groups.js";
 
 /** @typedef {import("../net/types.js").Parameter} Parameter */
 /** @typedef {import("../net/types.js").SceneElement} SceneElement */
@@ -21,15 +22,8 @@ export function structureOf(e) {
   return `${e.name} ${e.shaders.map(call).join(";")}`;
 }
 
-/** Parameters by group, in the order of the first of each. @param {Parameter[]} parameters @returns {[string, Parameter[]][]} */
-export function grouped(parameters) {
-  const groups = new Map();
-  for (const p of parameters) {
-    const name = p.group || "Parameters";
-    groups.set(name, [...(groups.get(name) ?? []), p]);
-  }
-  return [...groups];
-}
+/** Path relative to the scene's folder where it is below. @param {string} file @param {string} folder */
+export const shortPath = (file, folder) => folder && file.startsWith(`${folder}/`) ? file.slice(folder.length + 1) : file;
 
 /** @param {App} app */
 export function createElementPanel(app) {
@@ -78,7 +72,7 @@ export function createElementPanel(app) {
     empty.hidden = true;
     filter.hidden = false;
     title.textContent = e.name;
-    place.textContent = [e.kind, e.file ? `${e.file}${e.line ? `:${e.line}` : ""}` : ""].filter(Boolean).join(" · ");
+    place.textContent = [e.kind, e.file ? `${shortPath(e.file, app.session.scene.folder)}${e.line ? `:${e.line}` : ""}` : ""].filter(Boolean).join(" · ");
     const next = structureOf(e);
     if (next === structure) {
       e.shaders.forEach((call, i) => updateCall(call, String(i)));

@@ -19,6 +19,9 @@ const triple = (v) => v ? v.map(digits).join("  ") : "–";
 /** @param {Measured | undefined} m @param {string} unit */
 const interval = (m, unit) => m ? `${digits(m.value)} ± ${digits(m.half_width)} ${unit}` : "–";
 
+/** Logarithmic if sun and shade differ by more than ten. @param {LuxGrid} g */
+const gridScale = (g) => scaleOf(g.sensors.map((s) => s.value), g.min > 0 && g.max > 10 * g.min);
+
 /** @param {App} app */
 export function createMeasurePanel(app) {
   const probe = createProbe(app), grid = createGrid(app), explain = createExplain(app);
@@ -92,12 +95,12 @@ function createGrid(app) {
   app.viewport.painters.push((context, viewport) => {
     const {state} = app.session;
     if (!result || !state.look) return;
-    const scale = scaleOf(result.illuminance_values ?? [], false), ratio = window.devicePixelRatio || 1;
+    const scale = gridScale(result), ratio = window.devicePixelRatio || 1;
     context.font = `${11 * ratio}px system-ui, sans-serif`;
     context.textAlign = "center";
     for (const sensor of result.sensors) {
       const pixel = project(sensor.position, state.look, state.fov, state.size);
-      if (!pixel) continue;
+      if (!pixel || pixel[0] < 0 || pixel[1] < 0 || pixel[0] > state.size[0] || pixel[1] > state.size[1]) continue;
       const [x, y] = viewport.canvasPoint(pixel);
       context.beginPath();
       context.arc(x, y, 4 * ratio, 0, 7);
@@ -124,8 +127,8 @@ function createGrid(app) {
     out.replaceChildren(h("p", {class: "muted", text: "Measuring …"}));
     try {
       const reply = await app.session.request("lux_grid", {...fields, seconds: s.seconds}, control.signal);
-      result = /** @type {any} */ ({...reply.illuminance, illuminance_values: reply.illuminance.sensors.map((/** @type {any} */ x) => x.value)});
-      showResult(/** @type {LuxGrid} */ (result));
+      result = /** @type {LuxGrid} */ (reply.illuminance);
+      showResult(result);
     } catch (error) {
       out.replaceChildren(h("p", {class: "error", text: String(/** @type {Error} */ (error).message)}));
     }
@@ -134,7 +137,7 @@ function createGrid(app) {
     app.viewport.invalidate();
   };
   const showResult = (/** @type {LuxGrid} */ g) => {
-    const scale = scaleOf(g.sensors.map((x) => x.value), false);
+    const scale = gridScale(g);
     const body = [];
     for (let r = 0; r < g.rows; ++r) {
       const cells = [];

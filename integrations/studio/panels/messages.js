@@ -2,6 +2,7 @@
 // The messages panel: messages of the scene with their places, and missing textures.
 import {uploadTexture} from "../net/files.js";
 import {button, h, section} from "../ui/dom.js";
+import {shortPath} from "./element.js";
 
 /** @typedef {import("./app.js").App} App */
 /** @typedef {import("../net/types.js").SceneMessage} SceneMessage */
@@ -49,7 +50,7 @@ export function createMessagesPanel(app, badge) {
     const sorted = [...messages].sort((a, b) => (ORDER[a.severity] ?? 3) - (ORDER[b.severity] ?? 3));
     list.replaceChildren(...sorted.map((m) => h("li", {class: m.severity}, h("span", {class: "severity", text: m.severity}),
       h("div", {}, h("p", {text: m.message}), m.hint ? h("p", {class: "muted", text: m.hint}) : null,
-        h("p", {class: "muted"}, h("code", {text: placeText(m)}), h("span", {text: ` ${m.code ?? ""}`}))))));
+        h("p", {class: "muted"}, h("code", {text: shortPath(placeText(m), app.session.scene.folder)}), h("span", {text: ` ${m.code ?? ""}`}))))));
     if (messages.length === 0) list.replaceChildren(h("li", {class: "empty", text: "The scene has no messages."}));
     const serious = messages.filter((m) => m.severity !== "note").length + lost.length;
     badge(serious ? String(serious) : "");

@@ -10,6 +10,7 @@ import {floatToHalf, halfToFloat} from "../../../integrations/studio/display/hal
 import {plainFileName} from "../../../integrations/studio/net/files.js";
 import {reconnectDelay} from "../../../integrations/studio/net/connection.js";
 import {axialDepth, cross, dolly, dot, frameOf, length, orbit, pan, project, sub, turn, walk} from "../../../integrations/studio/scene/camera_moves.js";
+import {grouped} from "../../../integrations/studio/panels/parameter_groups.js";
 import {between, hourList, hourText, isoTime} from "../../../integrations/studio/scene/daylight.js";
 import {connectText, editTarget, editText, withoutTarget} from "../../../integrations/studio/scene/edit_text.js";
 import {Latest} from "../../../integrations/studio/scene/latest.js";
@@ -106,6 +107,14 @@ test("the mixer writes strength to a scalar and colour to a colour", () => {
   assert.deepEqual(lightEdits([p("multiplier", "scalar", 3), p("color", "color", [1, 2, 4])], setting(2, [1, 0.5, 0])), ["lamp.color=2 2 0"]);
   assert.deepEqual(lightEdits([p("color", "color", [1, 2, 4])], {...setting(2, [1, 1, 1]), on: false}), ["lamp.color=0 0 0"]);
   assert.equal(lightEdits([p("exponent", "scalar", 2)], setting(2, [1, 1, 1])), null);
+});
+
+test("parameters are grouped as declared, otherwise by the first word", () => {
+  const names = (list) => grouped(list).map(([title, group]) => [title, group.length]);
+  assert.deepEqual(names([{name: "a", type: "scalar", group: "G"}, {name: "b", type: "scalar"}, {name: "c", type: "scalar", group: "G"}]), [["G", 2], ["Other", 1]]);
+  const long = ["diffuse", "diffuse_weight", "diffuse_roughness", "reflectivity", "refl_color", "refl_gloss", "thin_walled", "refr_ior", "refr_gloss", "transparency", "bump", "cutout"];
+  assert.deepEqual(names(long.map((name) => ({name, type: "scalar"}))), [["Diffuse", 3], ["Reflection", 3], ["Refraction", 3], ["Other", 3]]);
+  assert.deepEqual(names(long.slice(0, 5).map((name) => ({name, type: "scalar"}))), [["Parameters", 5]]);
 });
 
 test("grids lie on the surface around the picked point", () => {
