@@ -13,7 +13,7 @@ export async function openBrowser() {
 
 /**
  * @param {import("puppeteer-core").Browser} browser @param {{url: string, token: string}} server
- * @param {{width?: number, height?: number, scheme?: string}} [o]
+ * @param {{width?: number, height?: number, scheme?: string, timeout?: number}} [o]
  */
 export async function openStudio(browser, server, o = {}) {
   const page = await browser.newPage();
@@ -23,7 +23,7 @@ export async function openStudio(browser, server, o = {}) {
   await page.setViewport({width: o.width ?? 1280, height: o.height ?? 800, deviceScaleFactor: 1});
   await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: o.scheme ?? "dark"}, {name: "prefers-reduced-motion", value: "reduce"}]);
   await page.goto(`${server.url}?test#token=${server.token}`);
-  await page.waitForFunction(() => window.__studio?.drawnFrame > 0, {timeout: 30000});
+  await page.waitForFunction(() => window.__studio?.drawnFrame > 0, {timeout: o.timeout ?? 30000});
   return {page, errors, check: () => assert.deepEqual(errors, [])};
 }
 

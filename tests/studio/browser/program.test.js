@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page with the program: a scene is opened, edited, measured, relit, saved and opened again.
+// acceptance: W2, W3, W4. The page with the program: a scene is opened, edited, measured, relit, saved and opened again.
 // ORIEL_STUDIO_SHOTS=FOLDER writes screenshots, ORIEL_STUDIO_SCENE=interior uses the scene of the README.
 import assert from "node:assert/strict";
 import {spawn, spawnSync} from "node:child_process";
@@ -14,8 +14,8 @@ import {CHROMIUM, openBrowser, openStudio, readCanvas} from "./page.js";
 const ORIEL = process.env.ORIEL, ROOT = fileURLToPath(new URL("../../../", import.meta.url));
 const SHOTS = process.env.ORIEL_STUDIO_SHOTS;
 const SCENES = {
-  room: {folder: "scenes/guide", file: "room.mi", material: "oak", gloss: "oak.refl_gloss=0.35", saved: "room.mi", size: [240, 160], samples: 8},
-  interior: {folder: "scenes/interior", file: "interior.mi", material: "oak_1", gloss: "oak_1_s.refl_gloss=0.35", saved: "materials.mi", size: [960, 540], samples: 24},
+  room: {folder: "scenes/guide", file: "room.mi", material: "oak", gloss: "oak.refl_gloss=0.35", saved: "room.mi", size: [160, 108], samples: 4},
+  interior: {folder: "scenes/interior", file: "interior.mi", material: "oak_1", gloss: "oak_1_s.refl_gloss=0.35", saved: "materials.mi", size: [720, 405], samples: 12},
 };
 const SCENE = SCENES[process.env.ORIEL_STUDIO_SCENE ?? "room"];
 
@@ -60,7 +60,7 @@ async function clickPicture(page, u, v) {
 }
 
 async function open(browser, program) {
-  const studio = await openStudio(browser, program, {width: 1440, height: 860});
+  const studio = await openStudio(browser, program, {width: 1440, height: 860, timeout: 180000});
   await studio.page.evaluate((size, samples) => window.__studio.app.session.view({size, budget: {samples, noise: null, seconds: null}}), SCENE.size, SCENE.samples);
   await studio.page.waitForFunction((size) => window.__studio.app.session.state.size.join() === size.join(), {timeout: 120000}, SCENE.size);
   await converged(studio.page);
