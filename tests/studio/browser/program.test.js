@@ -15,7 +15,7 @@ const ORIEL = process.env.ORIEL, ROOT = fileURLToPath(new URL("../../../", impor
 const SHOTS = process.env.ORIEL_STUDIO_SHOTS;
 const SCENES = {
   room: {folder: "scenes/guide", file: "room.mi", material: "oak", gloss: "oak.refl_gloss=0.35", saved: "room.mi", size: [160, 108], samples: 4},
-  interior: {folder: "scenes/interior", file: "interior.mi", material: "oak_1", gloss: "oak_1_s.refl_gloss=0.35", saved: "materials.mi", size: [720, 405], samples: 12},
+  interior: {folder: "scenes/interior", file: "interior.mi", material: "oak_1", gloss: "oak_1_s.refl_gloss=0.35", saved: "materials.mi", size: [640, 360], samples: 8},
 };
 const SCENE = SCENES[process.env.ORIEL_STUDIO_SCENE ?? "room"];
 
