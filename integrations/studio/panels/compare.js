@@ -108,6 +108,7 @@ export function createComparePanel(app) {
     update();
     app.toasts.show(`${s.name} stored.`);
   };
+  display.on("change", () => wipe.set(Math.round(1000 * display.wipe) / 10));
   update();
   const element = h("div", {class: "panel"}, h("header", {}, h("h2", {text: "Compare"})),
                     section("Comparison", mode.element, reference.element, wipe.element, amplify.element, result),

@@ -6,6 +6,7 @@ import {dolly, length, orbit, pan, sub, turn, walk} from "../scene/camera_moves.
 /** @typedef {import("../net/types.js").Look} Look */
 
 const CLICK_PIXELS = 4;
+const WIPE_PIXELS = 8;  // distance to the wipe line at which a drag moves it
 const STILL_MS = 300;  // the picture returns to full size this long after the last move
 
 export class ViewportInput {
@@ -13,6 +14,7 @@ export class ViewportInput {
   /** @type {[number, number, number, number] | null} */ rectangle = null;
   /** Look after the moves of this page, until the server reports it. @type {Look | null} */ #look = null;
   #stillTimer = 0;
+  #moving = false;
 
   /**
    * @param {import("./viewport.js").Viewport} viewport
@@ -37,6 +39,8 @@ export class ViewportInput {
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("keydown", (event) => this.#key(event));
     viewport.painters.push((context) => this.#paint(context));
+    // A state during a move may be older than the look of this page.
+    this.session.on("state", () => { if (!this.#moving) this.#look = null; });
   }
 
   /** @param {Tool} tool */
@@ -57,6 +61,7 @@ export class ViewportInput {
   #move(change) {
     const look = this.#look ?? this.session.state.look;
     if (!look) return;
+    this.#moving = true;
     this.#look = change(look);
     this.session.view({look: this.#look, dragging: true});
     clearTimeout(this.#stillTimer);
@@ -64,8 +69,8 @@ export class ViewportInput {
   }
 
   #still() {
-    this.#look = null;
-    this.session.view({dragging: false});
+    this.#moving = false;
+    this.session.view({look: this.#look, dragging: false});
   }
 
   /** @param {PointerEvent} event */
@@ -73,6 +78,7 @@ export class ViewportInput {
     const canvas = this.viewport.canvas;
     canvas.focus({preventScroll: true});
     canvas.setPointerCapture(event.pointerId);
+    if (event.button === 0 && this.#isOnWipe(event)) return this.#dragWipe();
     const start = this.viewport.pixelAt(event), startX = event.clientX, startY = event.clientY;
     let moved = false, lastX = startX, lastY = startY;
     const move = (/** @type {PointerEvent} */ e) => {
@@ -97,6 +103,28 @@ export class ViewportInput {
     canvas.addEventListener("pointermove", move);
     canvas.addEventListener("pointerup", up);
     canvas.addEventListener("pointercancel", up);
+  }
+
+  /** @param {PointerEvent} event */
+  #isOnWipe(event) {
+    const d = this.viewport.display, [width] = this.session.state.size;
+    if (d.compare !== "wipe" || d.reference === null) return false;
+    const shown = this.viewport.place().width / (window.devicePixelRatio || 1);
+    return Math.abs(this.viewport.pixelAt(event)[0] / width - d.wipe) * shown < WIPE_PIXELS;
+  }
+
+  #dragWipe() {
+    const canvas = this.viewport.canvas, [width] = this.session.state.size;
+    const move = (/** @type {PointerEvent} */ e) =>
+        this.viewport.display.change({wipe: Math.max(0, Math.min(1, this.viewport.pixelAt(e)[0] / width))});
+    const end = () => {
+      canvas.removeEventListener("pointermove", move);
+      canvas.removeEventListener("pointerup", end);
+      canvas.removeEventListener("pointercancel", end);
+    };
+    canvas.addEventListener("pointermove", move);
+    canvas.addEventListener("pointerup", end);
+    canvas.addEventListener("pointercancel", end);
   }
 
   /** @param {PointerEvent} start @param {number} dx @param {number} dy */

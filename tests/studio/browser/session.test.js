@@ -190,6 +190,15 @@ withStudio("snapshots: wipe, difference and FLIP; restore", async ({page, mock})
   await page.evaluate(() => window.__studio.app.display.change({wipe: 1}));
   const other = await readCanvas(page);
   assert.notDeepEqual(other.pixels, change.pixels);
+  // The line of the wipe is dragged; the camera stays.
+  await page.evaluate(() => window.__studio.app.display.change({wipe: 0.5}));
+  const box = await (await page.$("canvas.picture")).boundingBox(), looks = sent(mock, "view").filter((m) => "look" in m).length;
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width * 0.7, box.y + box.height / 2, {steps: 3});
+  await page.mouse.up();
+  assert.ok(await page.evaluate(() => window.__studio.app.display.wipe) > 0.6);
+  assert.equal(sent(mock, "view").filter((m) => "look" in m).length, looks);
   for (const [mode, label] of [["difference", /Mean difference [\d.]*[1-9]/], ["flip", /Mean FLIP error 0\.\d*[1-9]/]]) {
     await page.select("#panel-compare select", mode);
     await page.waitForFunction((p) => new RegExp(p).test(document.querySelector("#panel-compare").textContent), {timeout: 20000}, label.source);
