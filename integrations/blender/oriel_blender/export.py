@@ -6,6 +6,7 @@ import numpy
 
 from . import camera, curves, images, lights, materials, meshes, mi, world
 
+NARROW = .9999  # refl_gloss of a lobe of 0.16 degrees
 SURFACES = {"MESH", "CURVE", "SURFACE", "FONT", "META"}
 
 
@@ -146,6 +147,9 @@ class Exporter:
         return environment
 
     def instances(self):
+        if any(hidden_shape(instance.object) for instance in self.depsgraph.object_instances):
+            # Mirrors do not see lights that the camera does not see; narrow lobes do.
+            self.materials.sharpest = NARROW
         for instance in self.depsgraph.object_instances:
             placed = Placed(instance)
             ob = instance.object
@@ -258,6 +262,16 @@ class Exporter:
         extra = f"  material {mi.quoted(names[min(slot, len(names) - 1)])}\n"
         self.out.instance(self.out.names.unique(placed.name), name, placed.matrix,
                           extra + visibility(ob) + self.motion_statement(placed))
+
+
+def hidden_shape(ob):
+    """Whether an object is a light with a shape that reflections see and the camera does not."""
+    if ob.type != "LIGHT" or ob.visible_camera:
+        return False
+    light = ob.data
+    if light.type == "AREA":
+        return not getattr(getattr(light, "cycles", None), "is_portal", False)
+    return light.type != "SUN" and light.shadow_soft_size > 0
 
 
 def visibility(ob):

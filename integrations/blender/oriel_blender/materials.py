@@ -1,18 +1,66 @@
 # SPDX-License-Identifier: Apache-2.0
 """Materials: surface nodes of Blender as mia_material_x."""
+import functools
 import math
+
+import numpy
 
 from . import mi, nodes, versions, world as links
 
 MIN_ALPHA = 1e-5
 
 
-def gloss_of_roughness(roughness):
-    """refl_gloss whose lobe has the width alpha = roughness^2: alpha = 2^(-1.5 - 7 gloss)."""
+def gloss_of_roughness(roughness, sharpest=1.0):
+    """refl_gloss whose lobe has the width alpha = roughness^2: alpha = 2^(-1.5 - 7 gloss).
+
+    sharpest: the maximum; 1 is a mirror.
+    """
     alpha = min(max(roughness, 0.0), 1.0) ** 2
     if alpha < MIN_ALPHA:
-        return 1.0
-    return min(max(-(math.log2(alpha) + 1.5) / 7, 0.0), 1.0)
+        return sharpest
+    return min(max(-(math.log2(alpha) + 1.5) / 7, 0.0), sharpest)
+
+
+@functools.lru_cache(maxsize=64)
+def lost_energy(alpha):
+    """Share of light that GGX loses by single scattering: 1 - albedo, averaged over cosine.
+
+    Source: Walter et al. 2007 with the height-correlated masking of Heitz 2014, integrated over
+    visible normals (Heitz 2018) by 32 x 256 points.
+    """
+    if alpha < 1e-3:
+        return 0.0
+    mu = numpy.sqrt((numpy.arange(32) + .5) / 32)[:, None]
+    u = ((numpy.arange(256) + .5) / 256)[None, :]
+    v = (numpy.arange(256) * 0.6180339887498949 % 1)[None, :]
+    sine = numpy.sqrt(1 - mu * mu)
+    vx, vz = alpha * sine, mu + 0 * u
+    length = numpy.sqrt(vx * vx + vz * vz)
+    vx, vz = vx / length, vz / length
+    r, phi = numpy.sqrt(u), 2 * numpy.pi * v
+    t1, t2 = r * numpy.cos(phi), r * numpy.sin(phi)
+    s = (1 + vz) / 2
+    t2 = (1 - s) * numpy.sqrt(1 - t1 * t1) + s * t2
+    # Basis: T1 = (0, 1, 0), T2 = cross(V, T1) = (-vz, 0, vx).
+    t3 = numpy.sqrt(numpy.maximum(0, 1 - t1 * t1 - t2 * t2))
+    nx, ny, nz = -vz * t2 + vx * t3, t1, vx * t2 + vz * t3
+    hx, hy, hz = alpha * nx, alpha * ny, numpy.maximum(nz, 1e-9)
+    norm = numpy.sqrt(hx * hx + hy * hy + hz * hz)
+    hx, hz = hx / norm, hz / norm
+    cosine = 2 * (sine * hx + mu * hz) * hz - mu
+    def masking(c):
+        c = numpy.clip(c, 1e-6, 1)
+        return (numpy.sqrt(1 + alpha * alpha * (1 / (c * c) - 1)) - 1) / 2
+    ratio = (1 + masking(mu)) / (1 + masking(mu) + masking(cosine))
+    return float(1 - numpy.where(cosine > 0, ratio, 0).mean())
+
+
+def single_scattering(value, roughness, f0):
+    """Factor of the reflection for Cycles' GGX without multiple scattering."""
+    if isinstance(roughness, mi.Connection) or isinstance(f0, mi.Connection):
+        return value
+    lost = lost_energy(round(max(roughness, 0.0) ** 2, 4))
+    return value / (1 + f0 * lost / (1 - lost))
 
 
 def f0_of_ior(ior):
@@ -59,7 +107,11 @@ class MaterialWriter:
         self.images = images
         self.report = report
         self.spaces = [("uv", "")]
+        self.sharpest = 1.0     # gloss of mirrors
         self._done = {}
+
+    def gloss(self, roughness):
+        return gloss_of_roughness(roughness, self.sharpest)
 
     def write(self, material):
         """Returns the name of the material and the number of texture spaces that it reads."""
@@ -200,16 +252,15 @@ class MaterialWriter:
         roughness = graph.scalar(read.get("Roughness", default=.5))
         p = {"brdf_fresnel": False, "brdf_curve": 5.0, "brdf_90_degree_refl": 1.0,
              "reflectivity": 1.0, "refr_ior": max(ior, 1.0),
-             "refl_gloss": graph.curve(roughness, gloss_of_roughness)}
+             "refl_gloss": graph.curve(roughness, self.gloss)}
         p["diffuse"] = base
         p["diffuse_weight"] = graph.affine(metallic, 1.0, 0.0)
-        p["brdf_0_degree_refl"] = graph.affine(metallic, f0, 1.0)
-        p["refl_color"] = graph.blend(metallic, tint, base)
+        self.reflection(graph, p, metallic, f0, tint, base)
+        if getattr(node, "distribution", "") == "GGX" and not layered:
+            p["reflectivity"] = single_scattering(1.0, roughness, p["brdf_0_degree_refl"])
         if f0 <= 0 and metallic == 0.0:
             p["reflectivity"] = 0.0
         metal = not isinstance(metallic, mi.Connection) and metallic >= 1
-        if metal:
-            p["refl_is_metal"] = False
         if not layered and not transmission and not metal:
             p["brdf_conserve_energy"] = False  # Principled until 3.6 adds its lobes
         surface = Surface(**p)
@@ -227,6 +278,19 @@ class MaterialWriter:
                 graph.unsupported(node, f'has "{name}", which is unsupported and ignored')
         self.coat(graph, read, surface, layered)
         return surface
+
+    @staticmethod
+    def reflection(graph, p, metallic, f0, tint, base):
+        """Reflectance at normal incidence: between that of the dielectric and the base colour."""
+        if any(isinstance(v, mi.Connection) for v in (metallic, tint, base)):
+            p["brdf_0_degree_refl"] = graph.affine(metallic, f0, 1.0)
+            p["refl_color"] = graph.blend(metallic, tint, base)
+            return
+        facing = graph.blend(metallic, tuple(f0 * c for c in graph.colour(tint)),
+                             graph.colour(base))
+        peak = min(max(facing), 1.0)
+        p["brdf_0_degree_refl"] = peak
+        p["refl_color"] = tuple(c / peak for c in facing) if peak > 0 else (1.0, 1.0, 1.0)
 
     @staticmethod
     def tint(graph, read, base, layered):
@@ -255,7 +319,9 @@ class MaterialWriter:
         p["transparency"] = transmission
         p["thin_walled"] = False
         p["refr_color"] = base
-        p["refr_gloss"] = graph.curve(width, lambda r: gloss_of_roughness(r * math.sqrt(bending)))
+        if read.node.distribution == "GGX" and not isinstance(base, mi.Connection):
+            p["refr_color"] = graph.product(base, single_scattering(1.0, roughness, 1.0))
+        p["refr_gloss"] = graph.curve(width, lambda r: self.gloss(r * math.sqrt(bending)))
         if transmission >= 1:
             p["diffuse_weight"] = 0.0
         p["brdf_fresnel"] = True
@@ -291,10 +357,12 @@ class MaterialWriter:
         rough = graph.scalar(graph.value(node.inputs["Roughness"]))
         if getattr(node, "distribution", "") == "SHARP":
             rough = 0.0
-        surface = Surface(diffuse_weight=0.0, reflectivity=1.0, brdf_fresnel=False,
+        single = getattr(node, "distribution", "") == "GGX"
+        weight = single_scattering(1.0, rough, 1.0) if single else 1.0
+        surface = Surface(diffuse_weight=0.0, reflectivity=weight, brdf_fresnel=False,
                           brdf_0_degree_refl=1.0, brdf_90_degree_refl=1.0, diffuse=(0.0, 0.0, 0.0),
                           refl_color=graph.colour(graph.value(node.inputs["Color"])),
-                          refl_gloss=graph.curve(rough, gloss_of_roughness))
+                          refl_gloss=graph.curve(rough, self.gloss))
         self.bumped(graph, node, surface.parameters)
         return surface
 
@@ -310,8 +378,8 @@ class MaterialWriter:
         surface = Surface(
             diffuse_weight=0.0, diffuse=(0.0, 0.0, 0.0), reflectivity=1.0 if reflects else 0.0,
             refl_color=colour, brdf_fresnel=True, refr_ior=ior, transparency=1.0, refr_color=colour,
-            refl_gloss=graph.curve(rough, gloss_of_roughness), thin_walled=False,
-            refr_gloss=graph.curve(rough, lambda r: gloss_of_roughness(r * math.sqrt(bending))),
+            refl_gloss=graph.curve(rough, self.gloss), thin_walled=False,
+            refr_gloss=graph.curve(rough, lambda r: self.gloss(r * math.sqrt(bending))),
             skip_inside_refl=False, refl_depth=0, refr_depth=0)
         surface.transmits = True
         self.bumped(graph, node, surface.parameters)
