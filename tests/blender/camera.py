@@ -80,3 +80,4 @@ def border():
 
 
 main()
+print("all tests passed")

@@ -77,3 +77,4 @@ def main():
 
 
 main()
+print("all tests passed")

@@ -149,3 +149,4 @@ def main():
 
 
 main()
+print("all tests passed")

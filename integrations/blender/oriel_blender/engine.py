@@ -8,7 +8,7 @@ import traceback
 import bpy
 import numpy
 
-from . import camera, export, exr, meshes, passes, process, program, viewport
+from . import camera, export, exr, mattes, meshes, passes, process, program, viewport
 
 ENGINE = "ORIEL"
 POLL_SECONDS = 0.05
@@ -241,9 +241,7 @@ class OrielEngine(bpy.types.RenderEngine):
             if pixels is not None:
                 fill(layers[0].passes, p.name, pixels, view)
         if passes.mattes(layer):
-            for key, value in picture.attributes.items():
-                if key.startswith("cryptomatte/"):
-                    stamp_matte(result, layer, picture.attributes, key, value)
+            stamp_mattes(self.get_result(), layer, picture.attributes)
         return True
 
     # Viewport ---------------------------------------------------------------------------------
@@ -258,14 +256,17 @@ class OrielEngine(bpy.types.RenderEngine):
         self.session.draw(context, depsgraph)
 
 
-def stamp_matte(result, layer, attributes, key, value):
+def stamp_mattes(result, layer, attributes):
     """Cryptomatte metadata: the names of the layers begin with that of the view layer."""
-    _prefix, _identity, field = key.split("/", 2)
-    name = attributes.get(key.rsplit("/", 1)[0] + "/name", "")
-    full = f"{layer.name}.{name}"
-    from . import mattes
-    result.stamp_data_add_field(f"cryptomatte/{mattes.identifier(full)}/{field}",
-                                full if field == "name" else value)
+    for key, value in attributes.items():
+        if not key.startswith("cryptomatte/"):
+            continue
+        name = attributes.get(key.rsplit("/", 1)[0] + "/name", "")
+        if not any(p.startswith(name) for p in passes.mattes(layer)):
+            continue
+        field, full = key.split("/", 2)[2], f"{layer.name}.{name}"
+        result.stamp_data_add_field(f"cryptomatte/{mattes.identifier(full)}/{field}",
+                                    full if field == "name" else value)
 
 
 def fill(found, name, pixels, view):
