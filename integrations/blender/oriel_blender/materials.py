@@ -145,6 +145,9 @@ class MaterialWriter:
 
     @staticmethod
     def output_of(tree):
+        native_output = tree.nodes.get("Oriel Output")
+        if native_output is not None and native_output.type == "OUTPUT_MATERIAL":
+            return native_output
         for target in ("CYCLES", "ALL"):
             node = tree.get_output_node(target)
             if node:
