@@ -4,7 +4,7 @@
 
     run.py PROGRAM SCRIPT
 
-Prints "Blender is not installed" where it is missing; CTest then skips the test.
+Prints "Blender is not installed" where it or Xvfb is missing; CTest then skips the test.
 """
 import os
 import pathlib
@@ -15,6 +15,9 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 DONE = "all tests passed"
+# Scripts that need a window.
+WINDOW = {"viewport.py"}
+XVFB = ["xvfb-run", "-a", "-s", "-screen 0 1280x800x24"]
 
 
 def blender():
@@ -26,7 +29,7 @@ def environment(program, folder):
 
     Debian's Blender takes its Python modules from the first python3 in PATH.
     """
-    return {**os.environ, "PATH": "/usr/local/bin:/usr/bin:/bin", "ORIEL": program, "ORIEL_TEST_FOLDER": folder,
+    return {**os.environ, "TMPDIR": folder, "LIBGL_ALWAYS_SOFTWARE": "1", "PATH": "/usr/local/bin:/usr/bin:/bin", "ORIEL": program, "ORIEL_TEST_FOLDER": folder,
             "BLENDER_USER_RESOURCES": os.path.join(folder, "resources"),
             "BLENDER_USER_SCRIPTS": os.path.join(folder, "resources", "scripts"),
             "BLENDER_USER_CONFIG": os.path.join(folder, "resources", "config")}
@@ -34,12 +37,15 @@ def environment(program, folder):
 
 def main():
     program, script = sys.argv[1:3]
-    if not blender():
-        print("Blender is not installed")
+    window = script in WINDOW
+    if not blender() or (window and not shutil.which(XVFB[0])):
+        print("Blender is not installed" if not blender() else
+              "Blender is not installed with Xvfb")
         return 0
+    start = [*XVFB, blender()] if window else [blender(), "-b"]
     with tempfile.TemporaryDirectory() as folder:
         run = subprocess.run(
-            [blender(), "-b", "--factory-startup", "--python-exit-code", "3", "--python",
+            [*start, "--factory-startup", "--python-exit-code", "3", "--python",
              str(HERE / script)], env=environment(program, folder), stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT, text=True, errors="replace", check=False)
     print(run.stdout)

@@ -246,14 +246,15 @@ class OrielEngine(bpy.types.RenderEngine):
 
     # Viewport ---------------------------------------------------------------------------------
     def view_update(self, context, depsgraph):
-        if self.session is None:
-            self.session = viewport.Session(self)
-        self.session.scene_changed(context, depsgraph)
+        self.viewport_session().scene_changed(depsgraph)
 
     def view_draw(self, context, depsgraph):
+        self.viewport_session().draw(context, depsgraph)
+
+    def viewport_session(self):
         if self.session is None:
-            self.session = viewport.Session(self)
-        self.session.draw(context, depsgraph)
+            self.session = viewport.Session(self, session_folder())
+        return self.session
 
 
 def stamp_mattes(result, layer, attributes):

@@ -46,6 +46,7 @@ class Exporter:
         self.images = images.Images(self.out, folder, self.report)
         self.materials = materials.MaterialWriter(self.out, self.images, self.report)
         self.groups = {}           # light group -> instance names
+        self.known = {}            # key of geometry -> name and file of an earlier export
         self._objects = {}         # key of geometry -> element name
         self._motion = {}          # key of instance -> matrix at shutter close
         self._motion_points = {}   # key of geometry -> displaced points
@@ -99,23 +100,31 @@ class Exporter:
             self.frame_set(whole, frame + blur[0] - whole)
             self.scene = self.depsgraph.scene_eval
         try:
-            self.out.add(self.options(blur))
-            environment = world.WorldWriter(self.out, self.images, self.report).write(
-                self.scene.world)
-            self.instances()
+            environment = self.body(blur)
             instance = self.camera(size, environment)
         finally:
             if blur:
                 self.frame_set(frame, 0.0)
-        members = " ".join(mi.quoted(m) for m in self.out.members)
-        self.out.add(f"instgroup {mi.quoted('oriel.root')} {members}\nend instgroup\n"
-                     f"render {mi.quoted('oriel.root')} {mi.quoted(instance)} "
-                     f"{mi.quoted('oriel.options')}\n")
         part = f"{path}.part"
         with open(part, "w", encoding="utf-8") as file:
-            file.write(self.out.text())
+            file.write(self.out.text() + self.ending(self.out.members, instance))
         os.replace(part, path)
         return path
+
+    def body(self, blur=None):
+        """Adds everything but the camera; returns the name of the environment shader."""
+        self.out.add(self.options(blur))
+        environment = world.WorldWriter(self.out, self.images, self.report).write(self.scene.world)
+        self.instances()
+        return environment
+
+    @staticmethod
+    def ending(members, camera_instance):
+        """The root group and the render statement."""
+        group = " ".join(mi.quoted(m) for m in members)
+        return (f"instgroup {mi.quoted('oriel.root')} {group}\nend instgroup\n"
+                f"render {mi.quoted('oriel.root')} {mi.quoted(camera_instance)} "
+                f"{mi.quoted('oriel.options')}\n")
 
     def options(self, blur):
         settings = self.scene.oriel
@@ -214,6 +223,13 @@ class Exporter:
 
     def geometry(self, ob, placed, spaces, key):
         """Writes the mesh of an object; returns the element, or None without triangles."""
+        if key in self.known:
+            wish, path = self.known[key]
+            name = self.out.names.unique(wish)
+            if name == wish and path.exists():
+                self.meshes.keep(path)
+                self.out.add(f"$include {mi.quoted(str(path))}\n")
+                return name
         mesh = ob.to_mesh()
         if mesh is None:
             return None
@@ -234,6 +250,7 @@ class Exporter:
                 motion = None
         name = self.out.names.unique((ob.data.name if ob.data else ob.name) + ".mesh")
         path = self.meshes.add_mesh(name, data, motion)
+        self.known[key] = name, path
         self.out.add(f"$include {mi.quoted(str(path))}\n")
         return name
 

@@ -120,7 +120,8 @@ class MeshFolder:
         self.folder = pathlib.Path(folder)
         self.folder.mkdir(parents=True, exist_ok=True)
         self.written = 0
-        self._used = {}
+        self._used = set()
+        self._used_before = set()
 
     def store(self, chunks, kind="mesh"):
         """Writes the chunks unless a file of that content exists; returns its path."""
@@ -128,7 +129,7 @@ class MeshFolder:
         for chunk in chunks:
             digest.update(chunk)
         path = self.folder / f"{kind}-{digest.hexdigest()}.mi"
-        self._used[path] = True
+        self._used.add(path)
         if not path.exists():
             part = path.with_suffix(".part")
             with open(part, "wb") as file:
@@ -143,9 +144,13 @@ class MeshFolder:
         return self.store([start.encode(), vertices, b"`\n  integer `", corners, b"`\n  integer `",
                            labels, b"`\nend trilist\nend object\n"])
 
+    def keep(self, path):
+        """Marks a file of an earlier export as used."""
+        self._used.add(pathlib.Path(path))
+
     def remove_unused(self):
-        """Deletes files that the last frame did not use, and starts a new frame."""
+        """Deletes files that the last two exports did not use, and starts a new export."""
         for path in self.folder.glob("*.mi"):
-            if path not in self._used and path.name.startswith(("mesh-", "hair-")):
+            if path not in self._used and path not in self._used_before:
                 path.unlink(missing_ok=True)
-        self._used.clear()
+        self._used_before, self._used = self._used, set()

@@ -36,6 +36,17 @@ def find():
                          "preferences of the add-on")
 
 
+_found = None
+
+
+def find_cached(refresh=False):
+    """The path of the last find(), for threads, which cannot read the preferences."""
+    global _found
+    if refresh or _found is None:
+        _found = find()
+    return _found
+
+
 def declarations():
     """Declarations of all shaders: a list of dictionaries as of `oriel shaders --json`."""
     path = find()
