@@ -25,7 +25,7 @@ struct SceneDump {
 ///          evaluation.
 /// Inputs:  binary_name: name of the file with the arrays, as it will be written.
 /// Errors:  OR-MD-031 one note for each kind of geometry that is left out.
-/// Checked: ConvertTest.DumpsASceneAsJsonAndArrays
+/// Checked: SceneDumpTest.*
 SceneDump dump_scene(const scene::Scene& scene, const std::string& binary_name,
                      Diagnostics& diagnostics);
 
