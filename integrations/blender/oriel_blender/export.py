@@ -148,12 +148,8 @@ class Exporter:
         if "camera" in self._motion and not numpy.allclose(self._motion["camera"], matrix):
             options["motion"] = self._motion["camera"]
         if self.scene.render.film_transparent and environment:
-            # The camera sees no environment; lighting does.
-            environment = self.hidden_environment(environment)
+            self.report("a transparent film is unsupported; the picture shows the world")
         return camera.write(self.out, self.scene, camera_object, matrix, size, environment, options)
-
-    def hidden_environment(self, environment):
-        return environment
 
     def instances(self):
         if any(hidden_shape(instance.object) for instance in self.depsgraph.object_instances):

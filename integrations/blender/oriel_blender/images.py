@@ -4,6 +4,7 @@ import hashlib
 import os
 
 import bpy
+import numpy
 
 from . import mi, versions
 
@@ -71,16 +72,19 @@ class Images:
                     with open(path, "wb") as file:
                         file.write(image.packed_file.data)
                 return path
-        pixels = image.pixels[:]
-        import numpy
-        digest.update(numpy.array(pixels, numpy.float32).tobytes())
+        pixels = numpy.empty(len(image.pixels), numpy.float32)
+        image.pixels.foreach_get(pixels)
+        digest.update(pixels.tobytes())
         path = os.path.join(self.folder, f"image-{digest.hexdigest()}")
         path += ".exr" if image.is_float else ".png"
         if os.path.exists(path):
             return path
         copy = bpy.data.images.new("oriel.copy", *image.size, alpha=True, float_buffer=image.is_float)
         try:
-            copy.pixels[:] = pixels
+            # Without a colour space of its own the copy would be encoded when it is saved.
+            copy.colorspace_settings.name = "Non-Color" if image.is_float else \
+                image.colorspace_settings.name
+            copy.pixels.foreach_set(pixels)
             copy.file_format = "OPEN_EXR" if image.is_float else "PNG"
             copy.filepath_raw = path
             copy.save()

@@ -324,7 +324,7 @@ class Graph:
             a, b = (1.0,) * 3, (0.0,) * 3
         else:
             a, b = (self.colour(self.value(node.inputs[k])) for k in ("Color1", "Color2"))
-        boxes = {f"color{x}{y}{z}": a if (x + y + z) % 2 == 0 else b
+        boxes = {f"color{x}{y}{z}": a if (x + y + z) % 2 == 1 else b
                  for x in (0, 1) for y in (0, 1) for z in (0, 1)}
         return self.add("checker", "mib_texture_checkerboard", coord=wrapped, xsize=0.5, ysize=0.5,
                         zsize=0.5, **boxes)

@@ -1,11 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the program as a process of its own, and reads its messages."""
+import atexit
 import json
 import os
 import queue
 import signal
 import subprocess
 import threading
+import weakref
+
+_running = weakref.WeakSet()
+
+
+@atexit.register
+def kill_all():
+    """Ends the processes of a Blender that quits."""
+    for run in list(_running):
+        run.kill()
 
 
 class RenderProcess:
@@ -20,6 +31,7 @@ class RenderProcess:
             [program, "render", *arguments, "--json"], cwd=folder, env=environment,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
             errors="replace", start_new_session=True)
+        _running.add(self)
         self._readers = [threading.Thread(target=self._read_events, daemon=True),
                          threading.Thread(target=self._read_errors, daemon=True)]
         for reader in self._readers:

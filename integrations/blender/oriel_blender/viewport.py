@@ -18,6 +18,7 @@ from . import camera, export, exr, meshes, mi, passes, process, program
 # Divisor of the resolution and samples of the stages; the last one has the samples of the scene.
 STAGES = ((4, 4), (2, 8), (1, None))
 POLL_SECONDS = 0.01
+PART_SECONDS = 0.5   # between looks for the picture in progress
 SETTLE_SECONDS = 0.05  # changes that follow each other faster start one render
 
 SESSIONS = weakref.WeakSet()
@@ -64,6 +65,30 @@ class Job:
         camera_text = self.window.text(self.environment, divisor, self.names)
         return self.body + camera_text + export.Exporter.ending(
             [*self.members, self.names[1]], self.names[1])
+
+
+class Newest:
+    """A file that another process replaces."""
+
+    def __init__(self, path):
+        self.path = path
+        self._stamp = self._checked = 0
+        if os.path.exists(path):  # left by a process that was ended
+            os.unlink(path)
+
+    def changed(self):
+        now = time.monotonic()
+        if now - self._checked < PART_SECONDS:
+            return False
+        self._checked = now
+        try:
+            stamp = os.stat(self.path).st_mtime_ns
+        except OSError:
+            return False
+        if stamp == self._stamp:
+            return False
+        self._stamp = stamp
+        return True
 
 
 class Worker:
@@ -114,6 +139,7 @@ class Worker:
             output = os.path.join(self.folder, "view.exr")
             with open(scene, "w", encoding="utf-8") as file:
                 file.write(job.scene(divisor))
+            part = Newest(os.path.join(self.folder, "view.part.exr"))
             run = process.RenderProcess(path, [
                 scene, "-o", output, "--exr", "float,none", "--linear", "--layers", "beauty",
                 "--samples", str(samples or job.samples)], self.folder)
@@ -121,19 +147,30 @@ class Worker:
                 if self._wake.is_set():
                     run.kill()
                     return
+                if stage == len(STAGES) - 1 and part.changed():
+                    self._show(part.path, stage - 1)
                 time.sleep(POLL_SECONDS)
             run.finish()
             if run.code != 0:
                 if self._wake.is_set():
                     return
                 raise RuntimeError(run.errors[-1] if run.errors else f"exit code {run.code}")
-            picture = exr.read(output)
-            width, height = picture.size
-            pixels = passes.combined(picture, False).reshape(height, width, 4)
-            self.picture, self.stage, self.error = pixels, stage, ""
+            if not self._show(output, stage):
+                raise RuntimeError("the picture of the renderer cannot be read")
             if stage == len(STAGES) - 1:
                 self.finished = number
-            self._redraw()
+
+    def _show(self, path, stage):
+        """Takes over the picture of a file; False if it is not complete."""
+        try:
+            picture = exr.read(path)
+        except (OSError, ValueError):
+            return False
+        width, height = picture.size
+        pixels = passes.combined(picture, False).reshape(height, width, 4)
+        self.picture, self.stage, self.error = pixels, stage, ""
+        self._redraw()
+        return True
 
 
 class Session:
