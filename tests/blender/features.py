@@ -120,6 +120,45 @@ def geometry():
     support.check(pixels[43, 18, 0] > .1, "the modifier is applied")
 
 
+def denoised():
+    """Denoising changes Combined, lowers its noise, and keeps the noisy picture."""
+    scene = lit_scene()
+    support.add_plane(2.0, support.diffuse_material())
+    scene.world.color = (0, 0, 0)
+    light = bpy.data.lights.new("Lamp", "AREA")
+    light.size, light.energy = 4.0, 100
+    support.add("Lamp", light, (2, 0, 3), (0, math.radians(30), 0))
+    scene.oriel.denoise = bpy.context.view_layer.oriel.use_noisy = True
+    picture = layers(4)
+    get = lambda name: picture.channels[f"ViewLayer.{name}"][18:30, 18:30]
+    clean, noisy = get("Combined.R"), get("Noisy Image.R")
+    before, after = (numpy.diff(p, axis=1).std() for p in (noisy, clean))
+    support.check(after < .5 * before, f"difference of neighbours {before:.4f} to {after:.4f}")
+    support.check(abs(clean.mean() / noisy.mean() - 1) < .02, "the mean is kept")
+
+
+def portal():
+    """A portal in the window of a room does not change the light, and lowers the noise."""
+    scene = lit_scene()
+    scene.world.color = (4, 4, 4)
+    h, material = 2.0, support.diffuse_material((.5, .5, .5))
+    corners = [(x, y, z) for x in (-h, h) for y in (-h, h) for z in (-h, h)]
+    faces = [(0, 1, 3, 2), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    support.add_mesh("Room", corners, faces, material)  # open towards +x
+    blind = [(h, -h, -h), (h, h, -h), (h, h, h), (h, -h, h), (h, -1, -1), (h, 1, -1), (h, 1, 1),
+             (h, -1, 1)]
+    support.add_mesh("Wall", blind, [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)],
+                     material)
+    support.add_camera((1.5, 0, 0), (math.radians(90), 0, math.radians(90)), lens=20.0)
+    without = support.render("ORIEL", 256, "room")[..., :3]
+    light = bpy.data.lights.new("Portal", "AREA")
+    light.shape, light.size, light.cycles.is_portal = "SQUARE", 2.0, True
+    support.add("Portal", light, (h, 0, 0), (0, math.radians(90), 0))
+    pixels = support.render("ORIEL", 256, "portal")[..., :3]
+    support.check(abs(pixels.mean() / without.mean() - 1) < .03 and without.mean() > .05,
+                  f"mean {without.mean():.4f} without, {pixels.mean():.4f} with a portal")
+
+
 def count_meshes():
     folder = pathlib.Path(engine.session_folder()) / "meshes"
     return len(list(folder.glob("mesh-*.mi")))
@@ -320,7 +359,8 @@ def registration():
     support.check(set(dir(bpy.types)) == before, "registered again")
 
 
-TESTS = (passes, geometry, normals, hair, motion, frames, failures, nodes, speed, registration)
+TESTS = (passes, denoised, portal, geometry, normals, hair, motion, frames, failures, nodes, speed,
+         registration)
 chosen = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
 for test in TESTS:
     if not chosen or test.__name__ in chosen:

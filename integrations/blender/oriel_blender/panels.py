@@ -22,7 +22,8 @@ class ORIEL_PT_sampling(OrielPanel, bpy.types.Panel):
     def draw(self, context):
         layout, settings = self.layout, context.scene.oriel
         layout.use_property_split = True
-        for name in ("samples", "noise", "time", "preview_samples", "seed", "threads", "denoise"):
+        for name in ("samples", "noise", "time", "denoise", "preview_samples", "preview_denoise",
+                     "seed", "threads"):
             layout.prop(settings, name)
 
 

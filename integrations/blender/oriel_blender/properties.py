@@ -13,6 +13,8 @@ class OrielSceneSettings(bpy.types.PropertyGroup):
                         description="Seconds per frame (0 = none)")
     preview_samples: IntProperty(name="Viewport Samples", default=16, min=1, soft_max=1024,
                                  description="Samples per pixel of the viewport")
+    preview_denoise: BoolProperty(name="Denoise Viewport", default=False,
+                                  description="Denoise the finished picture of the viewport")
     depth: IntProperty(name="Trace Depth", default=8, min=0, max=64,
                        description="Maximum number of reflections and of refractions")
     indirect: EnumProperty(

@@ -57,9 +57,9 @@ class ViewWindow:
 class Job:
     """One state of scene and view."""
 
-    def __init__(self, body, members, environment, window, samples, names):
-        self.body, self.members, self.environment = body, members, environment
-        self.window, self.samples, self.names = window, samples, names
+    def __init__(self, body, window):
+        self.body, self.members, self.environment, self.samples, self.denoise, self.names = body
+        self.window = window
 
     def scene(self, divisor):
         camera_text = self.window.text(self.environment, divisor, self.names)
@@ -140,14 +140,17 @@ class Worker:
             with open(scene, "w", encoding="utf-8") as file:
                 file.write(job.scene(divisor))
             part = Newest(os.path.join(self.folder, "view.part.exr"))
+            last = stage == len(STAGES) - 1
+            layers = "beauty,normal,albedo,variance,halves" if last and job.denoise else "beauty"
             run = process.RenderProcess(path, [
-                scene, "-o", output, "--exr", "float,none", "--linear", "--layers", "beauty",
-                "--samples", str(samples or job.samples)], self.folder)
+                scene, "-o", output, "--exr", "float,none", "--linear", "--layers", layers,
+                "--samples", str(samples or job.samples),
+                *(["--denoise"] if last and job.denoise else [])], self.folder)
             while run.running():
                 if self._wake.is_set():
                     run.kill()
                     return
-                if stage == len(STAGES) - 1 and part.changed():
+                if last and part.changed():
                     self._show(part.path, stage - 1)
                 time.sleep(POLL_SECONDS)
             run.finish()
@@ -157,7 +160,7 @@ class Worker:
                 raise RuntimeError(run.errors[-1] if run.errors else f"exit code {run.code}")
             if not self._show(output, stage):
                 raise RuntimeError("the picture of the renderer cannot be read")
-            if stage == len(STAGES) - 1:
+            if last:
                 self.finished = number
 
     def _show(self, path, stage):
@@ -167,7 +170,7 @@ class Worker:
         except (OSError, ValueError):
             return False
         width, height = picture.size
-        pixels = passes.combined(picture, False).reshape(height, width, 4)
+        pixels = passes.combined(picture, True).reshape(height, width, 4)
         self.picture, self.stage, self.error = pixels, stage, ""
         self._redraw()
         return True
@@ -193,7 +196,6 @@ class Session:
         self._engine = reference
         self._known = {}
         self._body = None
-        self._exporter = None
         self._view = None
         self._texture = None
         self._shown = None
@@ -212,9 +214,9 @@ class Session:
         environment = exporter.body()
         self.meshes.remove_unused()
         names = [exporter.out.names.unique("view"), exporter.out.names.unique("view.instance")]
-        self._exporter = exporter
+        settings = depsgraph.scene.oriel
         body = exporter.out.text(), tuple(exporter.out.members), environment, \
-            depsgraph.scene.oriel.preview_samples, tuple(names)
+            settings.preview_samples, settings.preview_denoise, tuple(names)
         if body != self._body:
             self._body, self._view = body, None
         engine = self._engine()
@@ -227,8 +229,7 @@ class Session:
         window = ViewWindow(context.region, context.region_data)
         if window.key() != self._view:
             self._view = window.key()
-            text, members, environment, samples, names = self._body
-            self.worker.submit(Job(text, members, environment, window, samples, names))
+            self.worker.submit(Job(self._body, window))
         self.show(context, depsgraph)
 
     def show(self, context, depsgraph):
