@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The camera: centres of small bright squares agree with Cycles to 0.1 pixels."""
+# acceptance: Y2
 import math
 import pathlib
 import sys

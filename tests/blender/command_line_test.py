@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Installs the extension from its zip file into an empty Blender, and renders by `-E ORIEL -f 1`."""
+# acceptance: Y1
 import importlib.machinery
 import importlib.util
 import pathlib

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Final renders: passes, mattes, instances, hair, motion blur, files, errors and native nodes."""
+# acceptance: Y1, Y3
 import math
 import pathlib
 import sys

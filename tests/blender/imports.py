@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Import of .mi: a round trip keeps geometry exactly, and pictures within tolerance."""
+# acceptance: Y5
 import math
 import pathlib
 import shutil

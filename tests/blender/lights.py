@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Lights of Cycles and Oriel on a white plane: each agrees with the closed form and with Cycles."""
+# acceptance: Y2
 import math
 import pathlib
 import sys

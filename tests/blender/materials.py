@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Principled materials on a ball: pictures of Cycles and Oriel differ by at most 3 %."""
+# acceptance: Y2
 import math
 import pathlib
 import sys

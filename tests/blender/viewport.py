@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The rendered viewport in a window (of Xvfb): it draws, follows edits and views, and survives
 a crash of the program."""
+# acceptance: Y4
 import pathlib
 import sys
 import time

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Worlds, textures and depth of field: pictures of Cycles and Oriel agree."""
+# acceptance: Y2
 import math
 import pathlib
 import sys
