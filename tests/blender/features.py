@@ -160,6 +160,43 @@ def portal():
                   f"mean {without.mean():.4f} without, {pixels.mean():.4f} with a portal")
 
 
+def views():
+    """View layers show their own objects; views of a stereo camera differ by the parallax."""
+    scene = lit_scene()
+    scene.world.color = (1, 1, 1)
+    squares = [support.add_plane(1.0, support.diffuse_material(c, n)) for c, n in (
+        ((1, 0, 0), "Red"), ((0, 1, 0), "Green"))]
+    second = scene.view_layers.new("Second")
+    for x, square, layer in ((-1, squares[0], second), (1, squares[1], scene.view_layers[0])):
+        square.location.x = x
+        collection = bpy.data.collections.new(square.name)
+        scene.collection.children.link(collection)
+        scene.collection.objects.unlink(square)
+        collection.objects.link(square)
+        layer.layer_collection.children[collection.name].exclude = True
+    picture = layers()
+    get = lambda layer, channel, x: picture.channels[f"{layer}.Combined.{channel}"][24, x]
+    support.check(get("ViewLayer", "G", 12) == 0 and get("ViewLayer", "G", 36) > .9,
+                  "the first view layer has the red square only")
+    support.check(get("Second", "R", 36) == 0 and get("Second", "R", 12) > .9,
+                  "the second view layer has the green square only")
+    scene.view_layers.remove(second)
+    scene.render.use_multiview = True
+    scene.render.image_settings.views_format = "INDIVIDUAL"
+    stereo = scene.camera.data.stereo
+    stereo.convergence_distance, stereo.interocular_distance = 3.0, .5
+    layers()
+    centres = []
+    for name in ("_L", "_R"):
+        picture = exr.read(str(support.FOLDER / f"layers{name}.exr"))
+        dark = 1 - picture.channels["ViewLayer.Combined.G"][24]
+        centres.append((dark * numpy.arange(48)).sum() / dark.sum())
+    # 50 / 36 * 48 pixels at distance 1: the film shift of .5 / 3 less the parallax of .5 / 6.
+    expected = 50 / 36 * 48 * .5 * (1 / 3 - 1 / 6)
+    support.check(abs(centres[1] - centres[0] - expected) < .1,
+                  f"parallax {centres[1] - centres[0]:.2f} of {expected:.2f} pixels")
+
+
 def count_meshes():
     folder = pathlib.Path(engine.session_folder()) / "meshes"
     return len(list(folder.glob("mesh-*.mi")))
@@ -360,7 +397,7 @@ def registration():
     support.check(set(dir(bpy.types)) == before, "registered again")
 
 
-TESTS = (passes, denoised, portal, geometry, normals, hair, motion, frames, failures, nodes, speed,
+TESTS = (passes, denoised, portal, views, geometry, normals, hair, motion, frames, failures, nodes, speed,
          registration)
 chosen = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
 for test in TESTS:

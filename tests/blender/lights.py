@@ -36,6 +36,37 @@ def compare(label, expected=None, samples=256, tolerance=.01):
                       f"{label}: Oriel {ours.mean():.5f}, closed form {expected:.5f}")
 
 
+IES = """IESNA:LM-63-1995
+TILT=NONE
+1 1000 1 3 1 1 2 0 0 0
+1 1 10
+0 45 180
+0
+100 60 20
+"""
+
+
+def profile():
+    """A photometric profile, below the light and beside it."""
+    import bpy
+    path = support.FOLDER / "test.ies"
+    path.write_text(IES)
+    scene = setting("POINT", 10.0, shadow_soft_size=0.0)
+    tree = use_nodes(bpy.data.lights["Light"])
+    emission = next(n for n in tree.nodes if n.type == "EMISSION")
+    node = tree.nodes.new("ShaderNodeTexIES")
+    node.mode, node.filepath = "EXTERNAL", str(path)
+    tree.links.new(node.outputs[0], emission.inputs["Strength"])
+    compare("profile", 10 * 100 / 177.83 / 4 / math.pi)
+    scene.camera.location.x = 2.0  # at 45 degrees
+    compare("profile at 45 degrees", 10 * 60 / 177.83 / 4 / math.pi / 2 ** 1.5)
+
+
+def use_nodes(light):
+    light.use_nodes = True
+    return light.node_tree
+
+
 def main():
     # Irradiance / pi of a white plane below the light.
     setting("POINT", 100.0, shadow_soft_size=0.0)
@@ -75,6 +106,7 @@ def main():
     support.add_plane(1.0, emitter, z=2.0)
     bpy.data.objects["Camera"].data.clip_end = 1.5
     compare("emissive mesh")
+    profile()
 
 
 main()

@@ -123,15 +123,10 @@ def difference(ours, theirs, block=8):
     return numpy.abs(a - b).mean() / b.mean()
 
 
-def ball(pixels):
-    """The pixels around the ball."""
-    return pixels
-
-
 def main():
     rows, failed = [], []
-    chosen = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else list(CASES)
-    for name in chosen:
+    chosen = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
+    for name in chosen or CASES:
         stage()
         support.add_sphere(1.0, CASES[name]())
         ours = support.render("ORIEL", 256, "material")

@@ -186,6 +186,20 @@ def depth_of_field():
     same("depth of field, near", .04, 512, 4)
 
 
+def transparent_film():
+    scene = support.empty_scene(64, 64)
+    scene.world.color = (.5, .6, .7)
+    scene.render.film_transparent = True
+    square = support.add_plane(1.0, support.diffuse_material())
+    square.rotation_euler.z = .3
+    support.add_camera((0, 0, 5), lens=50.0)
+    ours, theirs = same("transparent film", .02, 64)
+    error = numpy.abs(ours[..., 3] - theirs[..., 3])
+    support.check(error.mean() < .005 and error.max() < .2,
+                  f"alpha: mean difference {error.mean():.4f}, largest {error.max():.3f}")
+    support.check(ours[2, 2, 3] == 0 and (ours[2, 2, :3] < 1e-4).all(), "the background is empty")
+
+
 def sky():
     """Irradiance of sun and sky by Oriel's own model: between those of the sun at 5 and 60 degrees,
     and the shadow falls away from the sun."""
@@ -207,7 +221,7 @@ def sky():
     support.check(30 < total < 200, f"irradiance {total:.1f} W/m2")
 
 
-TESTS = (pictures, textures, depth_of_field, sky)
+TESTS = (pictures, textures, depth_of_field, transparent_film, sky)
 chosen = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
 for test in TESTS:
     if not chosen or test.__name__ in chosen:

@@ -70,6 +70,7 @@ class OrielEngine(bpy.types.RenderEngine):
     def __init__(self, *args, **kwargs):
         super().__init__(*args, **kwargs)
         self.session = None
+        self.background = None
 
     def __del__(self):
         try:
@@ -133,15 +134,32 @@ class OrielEngine(bpy.types.RenderEngine):
         output = os.path.join(folder, f"{name}.exr")
         arguments = [scene_path, "-o", output, "--exr", "float,none", "--linear",
                      *border.arguments(), *self.quality(scene), *self.group_arguments(exporter),
-                     *passes.arguments(layer, self.denoises(scene))]
+                     *passes.arguments(layer, self.denoises(scene), exporter.transparent)]
         result_size = border.size if border.used else size
         result = self.begin_result(0, 0, *result_size, layer=layer.name, view=view)
+        self.background = self.render_background(scene_path, border) if exporter.transparent \
+            else None
         try:
             self.follow(scene, layer, arguments, output, result, result_size, view)
         except BaseException:
             self.end_result(result, cancel=True)
             raise
         self.end_result(result, cancel=self.test_break())
+
+    def render_background(self, scene_path, border):
+        """The light of the world behind the objects of a transparent film, (pixels, 3)."""
+        folder, path = os.path.dirname(scene_path), export.background_path(scene_path)
+        output = os.path.join(folder, "background.exr")
+        run = process.RenderProcess(program.find(), [
+            path, "-o", output, "--exr", "float,none", "--linear", "--layers", "beauty",
+            "--samples", "16", *border.arguments()], folder)
+        while run.running():
+            if self.test_break():
+                run.kill()
+                return None
+            time.sleep(POLL_SECONDS)
+        run.finish()
+        return exr.read(output).stack(list(passes.RGB)) if run.code == 0 else None
 
     def warn(self, text):
         if not self.is_preview:
@@ -232,6 +250,10 @@ class OrielEngine(bpy.types.RenderEngine):
         if not len(layers):
             return True  # the view layer is disabled
         combined = passes.combined(picture, self.denoises(scene))
+        if self.background is not None and len(self.background) == len(combined):
+            combined[:, 3:] = passes.coverage(picture)
+            behind = (1 - combined[:, 3:]) * self.background
+            combined[:, :3] = numpy.maximum(combined[:, :3] - behind, 0)
         if factor != 1:
             combined[:, :3] *= factor
         fill(layers[0].passes, "Combined", combined, view)

@@ -43,6 +43,8 @@ class Exporter:
         self.out = mi.SceneText()
         self._reported = []
         self._report = report
+        self.transparent = False   # the picture is without its background, which is subtracted
+        self._background = ""      # the scene without objects
         self.images = images.Images(self.out, folder, self.report)
         self.materials = materials.MaterialWriter(self.out, self.images, self.report)
         self.groups = {}           # light group -> instance names
@@ -105,16 +107,19 @@ class Exporter:
         finally:
             if blur:
                 self.frame_set(frame, 0.0)
-        part = f"{path}.part"
-        with open(part, "w", encoding="utf-8") as file:
-            file.write(self.out.text() + self.ending(self.out.members, instance))
-        os.replace(part, path)
+        write_text(path, self.out.text() + self.ending(self.out.members, instance))
+        if self.transparent:
+            view = "".join(self.out.parts[self._camera_part:])
+            write_text(background_path(path),
+                       self._background + view + self.ending([instance], instance))
         return path
 
     def body(self, blur=None):
         """Adds everything but the camera; returns the name of the environment shader."""
         self.out.add(self.options(blur))
         environment = world.WorldWriter(self.out, self.images, self.report).write(self.scene.world)
+        self.transparent = bool(environment) and self.scene.render.film_transparent
+        self._background = self.out.text()
         self.instances()
         return environment
 
@@ -147,8 +152,7 @@ class Exporter:
         options = dict(self.view)
         if "camera" in self._motion and not numpy.allclose(self._motion["camera"], matrix):
             options["motion"] = self._motion["camera"]
-        if self.scene.render.film_transparent and environment:
-            self.report("a transparent film is unsupported; the picture shows the world")
+        self._camera_part = len(self.out.parts)
         return camera.write(self.out, self.scene, camera_object, matrix, size, environment, options)
 
     def instances(self):
@@ -275,6 +279,18 @@ class Exporter:
         extra = f"  material {mi.quoted(names[min(slot, len(names) - 1)])}\n"
         self.out.instance(self.out.names.unique(placed.name), name, placed.matrix,
                           extra + visibility(ob) + self.motion_statement(placed))
+
+
+def write_text(path, text):
+    part = f"{path}.part"
+    with open(part, "w", encoding="utf-8") as file:
+        file.write(text)
+    os.replace(part, path)
+
+
+def background_path(path):
+    """The file of the scene without objects, beside the scene."""
+    return os.path.splitext(path)[0] + "-background.mi"
 
 
 def hidden_shape(ob):

@@ -4,6 +4,7 @@ import math
 
 from . import camera, mi, versions
 
+LUMENS_OF_WATT = 177.83  # of IES profiles in Cycles: the luminous efficacy of its white light
 SUN_DISTANCE = 1e5  # scene units; a scene of 100 units sees the disc under 0.06 degrees of parallax
 
 
@@ -149,8 +150,7 @@ def point(out, light, factor, profile, visible, report):
         text = f"  direction 0 0 -1\n  spread {mi.number(math.cos(half))}\n"
     shader = mi.call_of("physical_light", parameters)
     if profile is not None:
-        shader, extra = photometric(out, light, power, profile, report)
-        text += extra
+        shader, text = photometric(out, light, power, profile, report), ""
     if light.shadow_soft_size > 0 and profile is None:
         text += f"  sphere {mi.number(light.shadow_soft_size)} visible {'on' if visible else 'off'}\n"
     return f"  {shader}\n  origin 0 0 0\n{text}"
@@ -161,14 +161,14 @@ def photometric(out, light, power, profile, report):
     path = bpy.path.abspath(profile.filepath) if profile.mode == "EXTERNAL" else ""
     if not path:
         report(f'light "{light.name}": IES texts inside the file are unsupported and ignored')
-        return mi.call("physical_light", color=power), ""
+        return mi.call("physical_light", color=power)
     name = out.names.unique(light.name + ".ies")
     out.add(f"lightprofile {mi.quoted(name)}\n  format ies\n  file {mi.quoted(path)}\n"
             "end lightprofile\n")
-    # Cycles multiplies by the candela of the profile and converts them to watts by 4 pi / 683.
-    shader = mi.call("mib_light_photometric", color=power, shadow=True,
-                     profile=mi.Words(mi.quoted(name)))
-    return shader, "  direction 0 0 -1\n"
+    # Cycles converts the candela of a profile to W/sr by 177.83 lm/W; `power` is P / pi.
+    watts = tuple(c * math.pi / LUMENS_OF_WATT for c in power)
+    return mi.call("mib_light_photometric", color=watts, shadow=True,
+                   profile=mi.Words(mi.quoted(name)))
 
 
 def portal(light, matrix):

@@ -115,8 +115,11 @@ def register_all(engine, scene, view_layer):
         engine.register_pass(scene, view_layer, p.name, len(p.channels), p.channels.upper(), p.kind)
 
 
-def arguments(view_layer, denoise):
-    """Arguments of `oriel render` for the passes of a view layer."""
+def arguments(view_layer, denoise, transparent=False):
+    """Arguments of `oriel render` for the passes of a view layer.
+
+    transparent: the film is transparent; mattes give its alpha.
+    """
     chosen = wanted(view_layer)
     names = ["beauty", "depth", "normal", "albedo"]
     if any(p.name == "Noise" for p in chosen):
@@ -130,9 +133,23 @@ def arguments(view_layer, denoise):
     if denoise:
         names += ["variance", "halves"]
     result = ["--layers", ",".join(dict.fromkeys(names))]
-    if mattes(view_layer):
-        result.append(f"--cryptomatte={view_layer.pass_cryptomatte_depth}")
+    if mattes(view_layer) or transparent:
+        depth_used = view_layer.pass_cryptomatte_depth if mattes(view_layer) else 6
+        result.append(f"--cryptomatte={depth_used}")
     return result
+
+
+def coverage(picture):
+    """Share of the camera paths of each pixel that hit an object: mattes without the id 0."""
+    covered = numpy.zeros((picture.size[0] * picture.size[1], 1), numpy.float32)
+    rank = 0
+    while f"CryptoObject{rank:02d}.r" in picture.channels:
+        for identity, share in ("rg", "ba"):
+            names = [f"CryptoObject{rank:02d}.{c}" for c in (identity, share)]
+            pair = picture.stack(names)
+            covered[:, 0] += numpy.where(pair[:, 0] != 0, pair[:, 1], 0)
+        rank += 1
+    return numpy.clip(covered, 0, 1)
 
 
 def combined(picture, denoised):
