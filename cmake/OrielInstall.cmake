@@ -43,6 +43,21 @@ if(EXISTS ${CMAKE_SOURCE_DIR}/integrations/studio/index.html)
           FILES_MATCHING REGEX "\\.(html|js|css|svg|png)$" PATTERN "node_modules" EXCLUDE)
 endif()
 
+# The extension of Blender, to be installed there from this file.
+find_package(Python3 COMPONENTS Interpreter)
+if(Python3_Interpreter_FOUND)
+  file(GLOB extension CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/integrations/blender/oriel_blender/*)
+  add_custom_command(
+    OUTPUT ${CMAKE_BINARY_DIR}/oriel-blender.zip
+    COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tools/blender-extension
+            ${CMAKE_BINARY_DIR}/oriel-blender.zip
+    DEPENDS ${extension} ${CMAKE_SOURCE_DIR}/tools/blender-extension
+    COMMENT "Packing oriel-blender.zip"
+    VERBATIM)
+  add_custom_target(oriel_blender ALL DEPENDS ${CMAKE_BINARY_DIR}/oriel-blender.zip)
+  install(FILES ${CMAKE_BINARY_DIR}/oriel-blender.zip DESTINATION share/oriel/blender)
+endif()
+
 # For those who write shaders: headers, and how CMake and pkg-config find them. Their places below
 # the prefix are by name, as the program and the package look there. `cmake --install BUILD
 # --component shaders` puts only these.

@@ -47,8 +47,9 @@ struct QuickArguments : ConvertArguments {
 
 int run_convert(const ConvertArguments& a) {
   const std::string suffix = fs::path(a.output).extension().string();
-  if (suffix != ".mi" && suffix != ".glb")
-    throw UsageError(fmt::format("{}: the name of the result ends in .mi or .glb", a.output));
+  if (suffix != ".mi" && suffix != ".glb" && suffix != ".json")
+    throw UsageError(
+        fmt::format("{}: the name of the result ends in .mi, .glb or .json", a.output));
   if (fs::exists(a.output) && fs::equivalent(a.model, a.output))
     throw UsageError("the result would overwrite its input");
   return convert_model(a, a.output) ? kExitDone : kExitFailed;
@@ -110,10 +111,13 @@ void add_shared(CLI::App& command, ConvertArguments& a) {
 
 Command add_convert_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "convert", "Convert a model of another program to a .mi scene, or a scene to glTF");
+      "convert", "Convert a model of another program to a .mi scene, or a scene to glTF or JSON");
   auto a = std::make_shared<ConvertArguments>();
   add_shared(*command, *a);
-  command->add_option("SCENE", a->output, "File to write: NAME.mi, or NAME.glb for glTF")
+  command
+      ->add_option("SCENE", a->output,
+                   "File to write: NAME.mi, NAME.glb for glTF, or NAME.json with NAME.bin for "
+                   "other programs")
       ->required();
   command->add_flag("--daylight", a->daylight, "Add sun, sky, ground and exposure");
   return {command, [a] { return run_convert(*a); }};

@@ -17,6 +17,7 @@
 #include "models/gltf/write.h"
 #include "models/import_apart.h"
 #include "numbers.h"
+#include "scene_dump.h"
 #include "scene_file.h"
 #include "shaders/registry.h"
 
@@ -48,6 +49,7 @@ models::DaylightOptions daylight_options(const ConvertArguments& a) {
 }
 
 bool is_glb(const fs::path& path) { return path.extension() == ".glb"; }
+bool is_dump(const fs::path& path) { return path.extension() == ".json"; }
 
 scene::Scene read_mi(const std::string& path, const TrustArguments& trust,
                      Diagnostics& diagnostics) {
@@ -62,7 +64,9 @@ scene::Scene read_mi(const std::string& path, const TrustArguments& trust,
 /// A scene may contain hours of work: it is replaced only if a conversion wrote it.
 void check_scene_target(const std::string& path, bool force) {
   std::error_code error;
-  if (force || is_glb(path) || !fs::exists(path, error) || fs::file_size(path, error) == 0) return;
+  if (force || is_glb(path) || is_dump(path) || !fs::exists(path, error) ||
+      fs::file_size(path, error) == 0)
+    return;
   if (!mi::is_unedited_scene(path))
     throw UserError(
         fmt::format("'{}' exists and was written or edited by someone else; it is kept: choose "
@@ -101,7 +105,7 @@ class Conversion {
     if (a_.daylight) models::add_daylight(scene_, options);
     if (!a_.sky.empty()) models::add_sky(scene_, a_.sky, a_.sky_rotation);
     write();
-    if (is_glb(to_)) return;  // glTF has no exposure
+    if (is_glb(to_) || is_dump(to_)) return;  // these have no exposure
     if (!a_.daylight)
       expose();
     else if (of_file)
@@ -122,6 +126,14 @@ class Conversion {
   }
 
   void write() {
+    if (is_dump(to_)) {
+      const fs::path arrays = fs::path(to_).replace_extension(".bin");
+      const SceneDump dump = dump_scene(scene_, arrays.filename().string(), diagnostics_);
+      write_durably(arrays.string(), dump.binary);
+      write_durably(to_, dump.json);
+      printer_.print_new();
+      return;
+    }
     const bool glb = is_glb(to_);
     if (glb) write_durably(to_, models::gltf::write_glb(scene_, diagnostics_));
     const bool written = glb || mi::write_scene(scene_, to_, diagnostics_);

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene_dump.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
+
+#include "geom/tessellate.h"
+#include "models/import.h"
+#include "scene/approximation.h"
+#include "scene/asset_path.h"
+#include "scene/element_settings.h"
+#include "scene/hierarchy.h"
+
+namespace oriel::app {
+namespace {
+
+using nlohmann::json;
+
+static_assert(std::endian::native == std::endian::little, "arrays are written as in memory");
+
+json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+json matrix_json(const Mat4& m) {
+  json list = json::array();
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) list.push_back(m[row][column]);
+  return list;
+}
+
+json arguments_json(const std::vector<scene::Argument>& arguments);
+
+json value_json(const scene::Value& value) {
+  using Kind = scene::Value::Kind;
+  switch (value.kind) {
+    case Kind::Boolean:
+      return value.boolean;
+    case Kind::Numbers:
+      return value.numbers.size() == 1 ? json(value.numbers[0]) : json(value.numbers);
+    case Kind::Text:
+      return value.text;
+    case Kind::Connection:
+      return {{"shader", value.text}};
+    case Kind::Interface:
+      return {{"interface", value.text}};
+    case Kind::Struct:
+      return {{"struct", arguments_json(value.members)}};
+    case Kind::Array: {
+      json items = json::array();
+      for (const scene::Value& item : value.items) items.push_back(value_json(item));
+      return {{"array", std::move(items)}};
+    }
+    case Kind::Null:
+      break;
+  }
+  return nullptr;
+}
+
+json arguments_json(const std::vector<scene::Argument>& arguments) {
+  json made = json::object();
+  for (const scene::Argument& argument : arguments)
+    made[argument.name] = value_json(argument.value);
+  return made;
+}
+
+json shaders_json(const scene::ShaderList& list) {
+  json made = json::array();
+  for (const scene::ShaderUse& use : list) {
+    if (!use.reference.empty())
+      made.push_back({{"reference", use.reference}});
+    else
+      made.push_back({{"type", use.type}, {"parameters", arguments_json(use.arguments)}});
+  }
+  return made;
+}
+
+class Dump {
+ public:
+  explicit Dump(const scene::Scene& scene) : scene_(scene) {}
+
+  SceneDump run(const std::string& binary_name, Diagnostics& diagnostics) {
+    root_ = {{"format", "oriel-scene"}, {"version", 1}, {"binary", binary_name}};
+    for (const char* list : {"objects", "instances", "cameras", "lights", "materials", "textures"})
+      root_[list] = json::array();
+    root_["shaders"] = json::object();
+    Diagnostics unheard;  // problems of scenes that rendering reports
+    const std::string group =
+        scene_.renders.empty() ? models::kRootGroup : scene_.renders.back().root;
+    for (const scene::Leaf& leaf : scene::flatten(scene_, group, unheard)) add_leaf(leaf);
+    for (const scene::Element& element : scene_.elements()) add_element(element);
+    if (!scene_.renders.empty())
+      root_["render"] = {{"camera", scene_.renders.back().camera},
+                         {"frames", scene_.renders.size()}};
+    for (const std::string& kind : left_out_)
+      diagnostics.note("OR-MD-031", {}, fmt::format("left out: {}", kind));
+    return {root_.dump(1, ' ', false, json::error_handler_t::replace) + "\n", std::move(binary_)};
+  }
+
+ private:
+  /// Appends an array; returns its place.
+  template <class T>
+  json array(const std::vector<T>& values) {
+    const json place = {{"offset", binary_.size()}, {"count", values.size()}};
+    binary_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    return place;
+  }
+
+  static std::vector<float> column(const std::vector<Vec3>& vectors, std::size_t count) {
+    std::vector<float> values;
+    values.reserve(count * 3);
+    for (std::size_t i = 0; i < count && i < vectors.size(); ++i)
+      values.insert(values.end(), {vectors[i].x, vectors[i].y, vectors[i].z});
+    return values;
+  }
+
+  void add_leaf(const scene::Leaf& leaf) {
+    json placed = {{"name", leaf.instance().name}, {"matrix", matrix_json(leaf.local_to_world)}};
+    if (const auto* object = leaf.object()) {
+      if (!add_object(*object, leaf)) return;
+      placed["kind"] = "object";
+      placed["element"] = object->name;
+      if (leaf.material_source) placed["materials"] = leaf.material_source->materials;
+      if (leaf.material_override) placed["override"] = true;
+    } else if (const auto* camera = leaf.camera()) {
+      placed["kind"] = "camera";
+      placed["element"] = camera->name;
+    } else if (const auto* light = leaf.light()) {
+      placed["kind"] = "light";
+      placed["element"] = light->name;
+    } else {
+      left_out_.insert("geometry shaders");
+      return;
+    }
+    root_["instances"].push_back(std::move(placed));
+  }
+
+  /// Whether the object has triangles; it is written once.
+  bool add_object(const scene::Object& object, const scene::Leaf& leaf) {
+    const auto [found, is_new] = objects_.try_emplace(&object, false);
+    if (!is_new) return found->second;
+    if (!object.hairs.empty()) left_out_.insert("hair");
+    scene::ApproximationContext context;
+    context.chain = leaf.chain;
+    Diagnostics unheard;
+    const geom::Mesh mesh = geom::tessellate(object, context, unheard);
+    if (mesh.triangles.empty()) return false;
+    found->second = true;
+    json made = {{"name", object.name}, {"tagged", mesh.tagged}};
+    const std::size_t count = mesh.vertex_count();
+    made["positions"] = array(column(mesh.positions, count));
+    if (!mesh.normals.empty()) made["normals"] = array(column(mesh.normals, count));
+    made["uvs"] = json::array();
+    for (const geom::TextureSpace& space : mesh.textures)
+      made["uvs"].push_back(array(column(space.coordinate, count)));
+    std::vector<std::uint32_t> corners;
+    corners.reserve(mesh.triangles.size() * 3);
+    for (const geom::Triangle& t : mesh.triangles) corners.insert(corners.end(), {t.a, t.b, t.c});
+    made["triangles"] = array(corners);
+    if (!mesh.slot.empty()) made["slot"] = array(mesh.slot);
+    made["slots"] = json::array();
+    for (const geom::MaterialSlot& slot : mesh.slots) {
+      if (slot.label != geom::kNone)
+        made["slots"].push_back({{"label", slot.label}});
+      else
+        made["slots"].push_back({{"material", slot.name}});
+    }
+    root_["objects"].push_back(std::move(made));
+    return true;
+  }
+
+  void add_element(const scene::Element& element) {
+    if (const auto* camera = std::get_if<scene::Camera>(&element)) add_camera(*camera);
+    if (const auto* light = std::get_if<scene::Light>(&element)) add_light(*light);
+    if (const auto* texture = std::get_if<scene::Texture>(&element)) add_texture(*texture);
+    if (const auto* shader = std::get_if<scene::ShaderElement>(&element))
+      root_["shaders"][shader->name] = shaders_json(shader->functions);
+    if (const auto* material = std::get_if<scene::Material>(&element))
+      root_["materials"].push_back(
+          {{"name", material->name}, {"shaders", shaders_json(material->shaders)}});
+  }
+
+  void add_camera(const scene::Camera& camera) {
+    const scene::CameraSettings settings = scene::settings_of(camera);
+    json made = {{"name", camera.name},
+                 {"orthographic", camera.orthographic},
+                 {"focal", camera.focal.value_or(1)},
+                 {"aperture", camera.aperture.value_or(1)},
+                 {"offset", {settings.offset.x, settings.offset.y}},
+                 {"clip", {settings.clip_near, settings.clip_far}},
+                 {"lens", shaders_json(camera.lens)},
+                 {"environment", shaders_json(camera.environment)}};
+    if (camera.aspect) made["aspect"] = *camera.aspect;
+    if (camera.resolution) made["resolution"] = *camera.resolution;
+    root_["cameras"].push_back(std::move(made));
+  }
+
+  void add_light(const scene::Light& light) {
+    json made = {{"name", light.name}, {"shaders", shaders_json(light.shaders)}};
+    if (light.origin) made["origin"] = vector_json(*light.origin);
+    if (light.direction) made["direction"] = vector_json(*light.direction);
+    if (light.spread) made["spread"] = *light.spread;
+    if (light.area) {
+      json values = json::array();
+      for (const scene::Value& value : light.area->values)
+        for (const double number : value.numbers) values.push_back(number);
+      made["area"] = {{"shape", light.area->keyword}, {"numbers", std::move(values)}};
+    }
+    root_["lights"].push_back(std::move(made));
+  }
+
+  void add_texture(const scene::Texture& texture) {
+    json made = {{"name", texture.name}, {"type", scene::type_name(texture.type)}};
+    if (!texture.file.empty())
+      made["file"] = scene::find_asset(texture.file, texture.directory, scene_.files);
+    else
+      left_out_.insert("pixels of textures inside the scene");
+    root_["textures"].push_back(std::move(made));
+  }
+
+  const scene::Scene& scene_;
+  json root_;
+  std::string binary_;
+  std::map<const scene::Object*, bool> objects_;
+  std::set<std::string> left_out_;
+};
+
+}  // namespace
+
+SceneDump dump_scene(const scene::Scene& scene, const std::string& binary_name,
+                     Diagnostics& diagnostics) {
+  return Dump(scene).run(binary_name, diagnostics);
+}
+
+}  // namespace oriel::app

@@ -1,0 +1,328 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Writes the evaluated scene as .mi text and binary meshes."""
+import os
+
+import numpy
+
+from . import camera, curves, images, lights, materials, meshes, mi, world
+
+NARROW = .9999  # refl_gloss of a lobe of 0.16 degrees
+SURFACES = {"MESH", "CURVE", "SURFACE", "FONT", "META"}
+
+
+class Placed:
+    """One instance of the depsgraph: what must be copied inside its loop."""
+
+    def __init__(self, instance):
+        self.object = instance.instance_object if instance.is_instance else instance.object
+        self.object = self.object.original if instance.is_instance else self.object
+        evaluated = instance.object
+        self.name = evaluated.name
+        self.matrix = numpy.array(instance.matrix_world, numpy.float64)
+        self.show = instance.show_self
+        self.particles = instance.show_particles
+        self.is_instance = instance.is_instance
+        identity = tuple(instance.persistent_id) if instance.is_instance else ()
+        self.key = (evaluated.name_full, instance.parent.name_full if instance.parent else "",
+                    identity)
+
+
+class Exporter:
+    """One scene file for one frame."""
+
+    def __init__(self, depsgraph, folder, mesh_folder, report, frame_set=None, camera_matrix=None,
+                 view=None):
+        self.depsgraph = depsgraph
+        self.scene = depsgraph.scene_eval
+        self.layer = depsgraph.view_layer_eval
+        self.folder = folder
+        self.meshes = mesh_folder
+        self.frame_set = frame_set
+        self.camera_matrix = camera_matrix
+        self.view = view or {}
+        self.out = mi.SceneText()
+        self._reported = []
+        self._report = report
+        self.transparent = False   # the picture is without its background, which is subtracted
+        self._background = ""      # the scene without objects
+        self.images = images.Images(self.out, folder, self.report)
+        self.materials = materials.MaterialWriter(self.out, self.images, self.report)
+        self.groups = {}           # light group -> instance names
+        self.known = {}            # key of geometry -> name and file of an earlier export
+        self._objects = {}         # key of geometry -> element name
+        self._motion = {}          # key of instance -> matrix at shutter close
+        self._motion_points = {}   # key of geometry -> displaced points
+
+    def report(self, text):
+        if text not in self._reported:
+            self._reported.append(text)
+            self._report(text)
+
+    # Motion -----------------------------------------------------------------------------------
+    def motion_blur(self):
+        """Shutter opening and closing in frames around the current one, or None."""
+        render = self.scene.render
+        if not render.use_motion_blur or self.frame_set is None:
+            return None
+        shutter = render.motion_blur_shutter
+        position = getattr(getattr(self.scene, "cycles", None), "motion_blur_position", "CENTER")
+        start = {"START": 0.0, "CENTER": -shutter / 2, "END": -shutter}.get(position, -shutter / 2)
+        return start, start + shutter
+
+    def read_motion(self, time):
+        """Reads matrices and points at a time relative to the frame."""
+        frame = self.scene.frame_current
+        whole = int(numpy.floor(frame + time))
+        self.frame_set(whole, frame + time - whole)
+        for instance in self.depsgraph.object_instances:
+            placed = Placed(instance)
+            self._motion[placed.key] = placed.matrix
+            ob = instance.object
+            key = self.geometry_key(ob)
+            if ob.type == "MESH" and key not in self._motion_points and self.deforms(ob):
+                self._motion_points[key] = meshes.points_of(ob.data)
+        camera_object = self.scene.camera
+        if camera_object:
+            self._motion["camera"] = numpy.array(camera_object.matrix_world, numpy.float64)
+
+    @staticmethod
+    def deforms(ob):
+        original = ob.original
+        keys = getattr(original.data, "shape_keys", None)
+        return bool(original.modifiers) or keys is not None
+
+    # Scene ------------------------------------------------------------------------------------
+    def write(self, path, size):
+        """Writes the scene to a file; returns the path."""
+        blur = self.motion_blur()
+        frame = self.scene.frame_current
+        if blur:
+            self.read_motion(blur[1])
+            whole = int(numpy.floor(frame + blur[0]))
+            self.frame_set(whole, frame + blur[0] - whole)
+            self.scene = self.depsgraph.scene_eval
+        try:
+            environment = self.body(blur)
+            instance = self.camera(size, environment)
+        finally:
+            if blur:
+                self.frame_set(frame, 0.0)
+        write_text(path, self.out.text() + self.ending(self.out.members, instance))
+        if self.transparent:
+            view = "".join(self.out.parts[self._camera_part:])
+            write_text(background_path(path),
+                       self._background + view + self.ending([instance], instance))
+        return path
+
+    def body(self, blur=None):
+        """Adds everything but the camera; returns the name of the environment shader."""
+        self.out.add(self.options(blur))
+        environment = world.WorldWriter(self.out, self.images, self.report).write(self.scene.world)
+        self.transparent = bool(environment) and self.scene.render.film_transparent
+        self._background = self.out.text()
+        self.instances()
+        return environment
+
+    @staticmethod
+    def ending(members, camera_instance):
+        """The root group and the render statement."""
+        group = " ".join(mi.quoted(m) for m in members)
+        return (f"instgroup {mi.quoted('oriel.root')} {group}\nend instgroup\n"
+                f"render {mi.quoted('oriel.root')} {mi.quoted(camera_instance)} "
+                f"{mi.quoted('oriel.options')}\n")
+
+    def options(self, blur):
+        settings = self.scene.oriel
+        link = "".join(f'$include "{name}.mi"\n'
+                       for name in ("base", "physics", "architectural", "oriel"))
+        depth = settings.depth
+        text = (f"{link}options {mi.quoted('oriel.options')}\n  object space\n  samples 0 2\n"
+                f"  filter {filter_of(self.scene)}\n  trace on\n"
+                f"  trace depth {depth} {depth} {2 * depth}\n  gamma 2.2\n  shadow segments\n"
+                f"  {mi.quoted('indirect')} {mi.quoted(settings.indirect)}\n")
+        if blur:
+            text += "  shutter 0 1\n  motion on\n"
+        return text + "end options\n"
+
+    def camera(self, size, environment):
+        camera_object = self.scene.camera
+        matrix = self.camera_matrix
+        if matrix is None:
+            matrix = numpy.array(camera_object.matrix_world, numpy.float64)
+        options = dict(self.view)
+        if "camera" in self._motion and not numpy.allclose(self._motion["camera"], matrix):
+            options["motion"] = self._motion["camera"]
+        self._camera_part = len(self.out.parts)
+        return camera.write(self.out, self.scene, camera_object, matrix, size, environment, options)
+
+    def instances(self):
+        if any(hidden_shape(instance.object) for instance in self.depsgraph.object_instances):
+            # Mirrors do not see lights that the camera does not see; narrow lobes do.
+            self.materials.sharpest = NARROW
+        for instance in self.depsgraph.object_instances:
+            placed = Placed(instance)
+            ob = instance.object
+            if ob.type == "LIGHT" and placed.show:
+                self.light(ob, placed)
+            elif ob.type in SURFACES and placed.show:
+                self.surface(ob, placed)
+            elif ob.type in {"CURVES", "HAIR"} and placed.show:
+                self.curves(ob, placed)
+            if placed.particles and ob.type == "MESH":
+                self.particle_hair(ob, placed)
+
+    def motion_statement(self, placed):
+        end = self._motion.get(placed.key)
+        if end is None or numpy.allclose(end, placed.matrix, rtol=0, atol=1e-9):
+            return ""
+        return mi.transform(end, "motion transform") or ""
+
+    def light(self, ob, placed):
+        name = self.out.names.unique(placed.name)
+        motion = self._motion.get(placed.key)
+        if motion is not None and numpy.allclose(motion, placed.matrix):
+            motion = None
+        written = lights.write(self.out, ob, ob.data, name, placed.matrix, motion, self.report)
+        group = getattr(ob.original, "lightgroup", "")
+        if written and group:
+            self.groups.setdefault(group, []).append(written)
+
+    @staticmethod
+    def geometry_key(ob):
+        """Objects with the same key have the same geometry."""
+        original = ob.original
+        shared = original.data is not None and not original.modifiers and ob.type == "MESH" and \
+            ob.data is not None
+        if shared:
+            return "data", original.data.session_uid if hasattr(original.data, "session_uid") else \
+                original.data.name_full, ob.data.name_full
+        return "object", original.name_full, ob.data.name_full if ob.data else ""
+
+    def slots(self, ob):
+        """Material names of the slots, and the number of texture spaces of all of them."""
+        slots = [slot.material for slot in ob.material_slots] or [None]
+        written = [self.materials.write(m.original if m else None) for m in slots]
+        return [name for name, _ in written], max(count for _, count in written)
+
+    def surface(self, ob, placed):
+        names, spaces = self.slots(ob)
+        key = self.geometry_key(ob) + (spaces,)
+        if key not in self._objects:
+            self._objects[key] = self.geometry(ob, placed, self.materials.spaces[:spaces], key)
+        element = self._objects[key]
+        if element is None:
+            return
+        slot_list = ", ".join(mi.quoted(n) for n in names)
+        extra = f"  material [ {slot_list} ]\n" + visibility(ob) + self.motion_statement(placed)
+        name = self.out.names.unique(placed.name)
+        if not self.out.instance(name, element, placed.matrix, extra):
+            self.report(f'object "{placed.name}": its transform is singular; it is skipped')
+        group = getattr(ob.original, "lightgroup", "")
+        if group:
+            self.groups.setdefault(group, []).append(name)
+
+    def geometry(self, ob, placed, spaces, key):
+        """Writes the mesh of an object; returns the element, or None without triangles."""
+        if key in self.known:
+            wish, path = self.known[key]
+            name = self.out.names.unique(wish)
+            if name == wish and path.exists():
+                self.meshes.keep(path)
+                self.out.add(f"$include {mi.quoted(str(path))}\n")
+                return name
+        mesh = ob.to_mesh()
+        if mesh is None:
+            return None
+        try:
+            data = meshes.read(mesh, spaces)
+        finally:
+            ob.to_mesh_clear()
+        if data is None:
+            return None
+        if len(ob.material_slots) > 0:
+            data.labels = numpy.clip(data.labels, 0, len(ob.material_slots) - 1)
+        else:
+            data.labels = numpy.zeros_like(data.labels)
+        motion = self._motion_points.get(key[:-1])
+        if motion is not None:
+            motion = motion - data.points if motion.shape == data.points.shape else None
+            if motion is not None and not motion.any():
+                motion = None
+        name = self.out.names.unique((ob.data.name if ob.data else ob.name) + ".mesh")
+        path = self.meshes.add_mesh(name, data, motion)
+        self.known[key] = name, path
+        self.out.add(f"$include {mi.quoted(str(path))}\n")
+        return name
+
+    def curves(self, ob, placed):
+        arrays = curves.curves_arrays(ob.data)
+        self.hair(ob, placed, *arrays, wish=ob.data.name)
+
+    def particle_hair(self, ob, placed):
+        for i, system in enumerate(ob.particle_systems):
+            if system.settings.type != "HAIR" or system.settings.render_type != "PATH":
+                continue
+            arrays = curves.particle_arrays(ob, system, numpy.linalg.inv(placed.matrix))
+            if arrays:
+                index = system.settings.material - 1
+                self.hair(ob, placed, *arrays, wish=f"{placed.name}.{system.name}", slot=index)
+
+    def hair(self, ob, placed, points, radii, first, wish, slot=0):
+        names, _ = self.slots(ob)
+        name = self.out.names.unique(wish + ".hair")
+        chunks = curves.hair_text(name, points, radii, first)
+        if chunks is None:
+            self.report(f'object "{placed.name}": its curves have no segments; it is skipped')
+            return
+        path = self.meshes.store(chunks, "hair")
+        self.out.add(f"$include {mi.quoted(str(path))}\n")
+        extra = f"  material {mi.quoted(names[min(slot, len(names) - 1)])}\n"
+        self.out.instance(self.out.names.unique(placed.name), name, placed.matrix,
+                          extra + visibility(ob) + self.motion_statement(placed))
+
+
+def write_text(path, text):
+    part = f"{path}.part"
+    with open(part, "w", encoding="utf-8") as file:
+        file.write(text)
+    os.replace(part, path)
+
+
+def background_path(path):
+    """The file of the scene without objects, beside the scene."""
+    return os.path.splitext(path)[0] + "-background.mi"
+
+
+def hidden_shape(ob):
+    """Whether an object is a light with a shape that reflections see and the camera does not."""
+    if ob.type != "LIGHT" or ob.visible_camera:
+        return False
+    light = ob.data
+    if light.type == "AREA":
+        return not getattr(getattr(light, "cycles", None), "is_portal", False)
+    return light.type != "SUN" and light.shadow_soft_size > 0
+
+
+def visibility(ob):
+    """Statements of the ray visibility of an object."""
+    text = ""
+    if not ob.visible_camera:
+        text += "  visible off\n"
+    if not ob.visible_shadow:
+        text += "  shadow 4\n"
+    if not ob.visible_glossy:
+        text += "  reflection 4\n"
+    if not ob.visible_transmission:
+        text += "  refraction 4\n"
+    if not ob.visible_diffuse:
+        text += "  finalgather 4\n"
+    return text
+
+
+def filter_of(scene):
+    """The pixel filter of Cycles; its Blackman-Harris of width w is close to a Gauss filter."""
+    settings = getattr(scene, "cycles", None)
+    width = getattr(settings, "filter_width", 1.5)
+    if getattr(settings, "pixel_filter_type", "BLACKMAN_HARRIS") == "BOX":
+        return "box 1 1"
+    return f"gauss {mi.number(width)} {mi.number(width)}"

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Image data-blocks as files. Images without a usable file are saved into the scene's folder."""
+import hashlib
+import os
+
+import bpy
+import numpy
+
+from . import mi, versions
+
+READABLE = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr", ".tga", ".bmp", ".webp", ".jp2",
+            ".dpx"}
+
+
+class Images:
+    """Texture elements of one scene, one for each image and reading."""
+
+    def __init__(self, out, folder, report):
+        self.out = out
+        self.folder = str(folder)
+        self.report = report
+        self._textures = {}
+
+    def texture(self, image, material, node, vector=False):
+        """The name of the texture element, or None if the image cannot be read."""
+        if image is None:
+            self.report(f'material "{material}": node "{node}" has no image')
+            return None
+        space = image.colorspace_settings.name
+        plain = vector or space in versions.linear_spaces()
+        key = image.name_full, plain
+        if key not in self._textures:
+            path = self.path_of(image, material, node)
+            name = None
+            if path:
+                if space not in versions.linear_spaces() | {"sRGB"}:
+                    self.report(f'image "{image.name}": the colour space {space} is read as sRGB')
+                name = self.out.names.unique(image.name + (".data" if plain else ""))
+                # Values of a vector texture are not gamma corrected.
+                kind = "vector" if plain else "color"
+                self.out.add(f"{kind} texture {mi.quoted(name)} {mi.quoted(path)}\n")
+            self._textures[key] = name
+        return self._textures[key]
+
+    def path_of(self, image, material, node):
+        if image.source == "TILED":
+            self.report(f'material "{material}": node "{node}": only the first tile of '
+                        f'"{image.name}" is used')
+        path = bpy.path.abspath(image.filepath, library=image.library)
+        path = path.replace("<UDIM>", "1001")
+        unchanged = image.source in {"FILE", "TILED"} and not image.packed_file and not image.is_dirty
+        if unchanged and os.path.splitext(path)[1].lower() in READABLE and os.path.isfile(path):
+            return os.path.abspath(path)
+        if not image.has_data and image.source in {"FILE", "TILED", "SEQUENCE", "MOVIE"} and \
+                not image.packed_file:
+            self.report(f'material "{material}": node "{node}": the file of image "{image.name}" '
+                        f"is missing: {path}")
+            return None
+        return self.save(image)
+
+    def save(self, image):
+        """Saves the pixels with their values, once for each content."""
+        digest = hashlib.blake2b(digest_size=8)
+        digest.update(repr((image.name_full, tuple(image.size))).encode())
+        if image.packed_file:
+            digest.update(image.packed_file.data)
+            path = os.path.join(self.folder, f"image-{digest.hexdigest()}")
+            suffix = os.path.splitext(image.filepath)[1].lower()
+            path += suffix if suffix in READABLE else ".png"
+            if suffix in READABLE and not image.is_dirty:
+                if not os.path.exists(path):
+                    with open(path, "wb") as file:
+                        file.write(image.packed_file.data)
+                return path
+        pixels = numpy.empty(len(image.pixels), numpy.float32)
+        image.pixels.foreach_get(pixels)
+        digest.update(pixels.tobytes())
+        path = os.path.join(self.folder, f"image-{digest.hexdigest()}")
+        path += ".exr" if image.is_float else ".png"
+        if os.path.exists(path):
+            return path
+        copy = bpy.data.images.new("oriel.copy", *image.size, alpha=True, float_buffer=image.is_float)
+        try:
+            # Without a colour space of its own the copy would be encoded when it is saved.
+            copy.colorspace_settings.name = "Non-Color" if image.is_float else \
+                image.colorspace_settings.name
+            copy.pixels.foreach_set(pixels)
+            copy.file_format = "OPEN_EXR" if image.is_float else "PNG"
+            copy.filepath_raw = path
+            copy.save()
+        finally:
+            bpy.data.images.remove(copy)
+        return path

@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: Apache-2.0
+"""File > Import > mental ray (.mi)."""
+import os
+
+import bpy
+import numpy
+from bpy.props import EnumProperty, StringProperty
+from mathutils import Matrix
+
+from . import dump, import_lights, import_materials, program, versions
+
+Y_UP = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
+
+
+def matrix_of(rows):
+    """A matrix for column vectors from 16 numbers for row vectors."""
+    return Matrix([rows[0:4], rows[4:8], rows[8:12], rows[12:16]]).transposed()
+
+
+class SceneReader:
+    """Builds Blender data from a dump."""
+
+    def __init__(self, source, context, up):
+        self.dump = source
+        self.context = context
+        self.reports = []
+        self.materials = import_materials.MaterialReader(source, self.report)
+        self.cameras = {c["name"]: c for c in source.list("cameras")}
+        self.lights = {l["name"]: l for l in source.list("lights")}
+        self.objects = {o["name"]: o for o in source.list("objects")}
+        self._meshes = {}
+        self._upright = Y_UP if up == "Y" or (up == "AUTO" and self.y_is_up()) else Matrix()
+
+    def report(self, text):
+        if text not in self.reports:
+            self.reports.append(text)
+
+    def y_is_up(self):
+        """Whether the vertical of the rendered camera is nearest to y; of skies, what they say."""
+        for calls in self.dump.root.get("shaders", {}).values():
+            for call in calls:
+                if call.get("type") in {"mia_physicalsky", "mia_ciesky"}:
+                    return call["parameters"].get("y_is_up", False) is True
+        wanted = self.dump.root.get("render", {}).get("camera")
+        for placed in self.dump.list("instances"):
+            if placed["kind"] == "camera" and (not wanted or placed["name"] == wanted):
+                up = placed["matrix"][4:7]
+                return abs(up[1]) > abs(up[2])
+        return False
+
+    def run(self, collection):
+        cameras = {}
+        for placed in self.dump.list("instances"):
+            data = getattr(self, "make_" + placed["kind"])(placed)
+            if data is None:
+                continue
+            ob = bpy.data.objects.new(placed["name"], data)
+            collection.objects.link(ob)
+            ob.matrix_world = self._upright @ matrix_of(placed["matrix"])
+            if placed["kind"] == "light":
+                import_lights.orient(ob, self.lights[placed["element"]])
+            if placed["kind"] == "camera":
+                cameras[placed["name"]] = ob, self.cameras[placed["element"]]
+            if placed["kind"] == "object":
+                self.assign_materials(ob, placed)
+        self.finish(cameras)
+
+    def finish(self, cameras):
+        scene = self.context.scene
+        render = self.dump.root.get("render", {})
+        chosen = cameras.get(render.get("camera")) or next(iter(cameras.values()), None)
+        if chosen:
+            scene.camera, element = chosen
+            width, height = element.get("resolution", (1280, 720))
+            scene.render.resolution_x, scene.render.resolution_y = int(width), int(height)
+            scene.render.resolution_percentage = 100
+            aspect = element.get("aspect", width / height) * height / width
+            scene.render.pixel_aspect_x = max(aspect, 1.0)
+            scene.render.pixel_aspect_y = max(1 / aspect, 1.0)
+            import_lights.exposure(self.dump, element, scene)
+            import_lights.environment(self, element, scene)
+        frames = int(render.get("frames", 1))
+        if frames > 1:
+            scene.frame_start, scene.frame_end = 1, frames
+            self.report(f"the scene has {frames} frames; the last one is imported")
+
+    # Elements ---------------------------------------------------------------------------------
+    def make_object(self, placed):
+        name = placed["element"]
+        if name not in self._meshes:
+            self._meshes[name] = self.mesh(self.objects[name])
+        return self._meshes[name]
+
+    def mesh(self, source):
+        mesh = bpy.data.meshes.new(source["name"])
+        points = self.dump.floats(source["positions"])
+        triangles = self.dump.integers(source["triangles"]).astype(numpy.int32)
+        if len(triangles) == 0 or triangles.min() < 0 or triangles.max() >= len(points):
+            raise dump.DumpError(f"object {source['name']}: corners without vertices")
+        count = len(triangles) // 3
+        mesh.vertices.add(len(points))
+        mesh.vertices.foreach_set("co", points.ravel())
+        mesh.loops.add(3 * count)
+        mesh.loops.foreach_set("vertex_index", triangles)
+        mesh.polygons.add(count)
+        mesh.polygons.foreach_set("loop_start", numpy.arange(0, 3 * count, 3, dtype=numpy.int32))
+        mesh.polygons.foreach_set("loop_total", numpy.full(count, 3, numpy.int32))
+        mesh.polygons.foreach_set("use_smooth", numpy.ones(count, bool))
+        for i, place in enumerate(source.get("uvs", ())):
+            layer = mesh.uv_layers.new(name=f"UV{i}" if i else "UVMap")
+            if layer is not None:
+                uv = self.dump.floats(place)[:, :2][triangles]
+                layer.data.foreach_set("uv", numpy.ascontiguousarray(uv).ravel())
+        self.slots(mesh, source, count)
+        mesh.update(calc_edges=True)
+        if "normals" in source:
+            normals = self.dump.floats(source["normals"])[triangles]
+            versions.set_corner_normals(mesh, normals.tolist())
+        else:
+            mesh.polygons.foreach_set("use_smooth", numpy.zeros(count, bool))
+        return mesh
+
+    def slots(self, mesh, source, count):
+        """Material slots: labels keep their numbers, names become materials."""
+        slots = source.get("slots", [])
+        index = numpy.zeros(count, numpy.int32)
+        if "slot" in source:
+            index = self.dump.integers(source["slot"])[:count].astype(numpy.int32)
+        if any("label" in s for s in slots):
+            numbers = numpy.array([s.get("label", 0) for s in slots], numpy.int64)
+            index = numbers[numpy.clip(index, 0, len(numbers) - 1)]
+            for _ in range(int(min(index.max(), 4000)) + 1):
+                mesh.materials.append(None)
+        else:
+            for slot in slots or [{}]:
+                mesh.materials.append(self.materials.material(slot.get("material", "")))
+        mesh.polygons.foreach_set("material_index",
+                                  numpy.clip(index, 0, 32767).astype(numpy.int32))
+
+    def assign_materials(self, ob, placed):
+        """Materials of the instance, for slots that have none of their own."""
+        names = placed.get("materials", [])
+        for i, slot in enumerate(ob.material_slots):
+            if slot.material is not None and not placed.get("override"):
+                continue
+            material = self.materials.material(names[min(i, len(names) - 1)]) if names else None
+            if material is not None:
+                slot.link = "OBJECT"
+                slot.material = material
+
+    def make_camera(self, placed):
+        source = self.cameras[placed["element"]]
+        camera = bpy.data.cameras.new(source["name"])
+        width, height = source.get("resolution", (1280, 720))
+        aspect = source.get("aspect", width / height)
+        camera.sensor_fit = "HORIZONTAL"
+        aperture = max(float(source["aperture"]), 1e-6)
+        if source["orthographic"]:
+            camera.type, camera.ortho_scale = "ORTHO", aperture
+        else:
+            camera.sensor_width = 36.0
+            camera.lens = 36.0 * max(float(source["focal"]), 1e-6) / aperture
+        offset = source.get("offset", (0, 0))
+        camera.shift_x = offset[0] / width
+        camera.shift_y = offset[1] / height / aspect
+        near, far = source.get("clip", (0, 0))
+        camera.clip_start = near if near > 0 else 0.01
+        camera.clip_end = far if far > 0 else 1e5
+        import_lights.focus(self.dump, source, camera)
+        return camera
+
+    def make_light(self, placed):
+        return import_lights.light(self, self.lights[placed["element"]])
+
+
+class ORIEL_OT_import(bpy.types.Operator):
+    bl_idname = "import_scene.oriel_mi"
+    bl_label = "Import mental ray (.mi)"
+    bl_options = {"UNDO"}
+
+    filepath: StringProperty(subtype="FILE_PATH")
+    filter_glob: StringProperty(default="*.mi;*.mi.gz", options={"HIDDEN"})
+    up: EnumProperty(name="Up Axis", default="AUTO", items=[
+        ("AUTO", "Automatic", "From the sky, else from the camera"), ("Y", "Y", "Y points up"),
+        ("Z", "Z", "Z points up")])
+
+    def invoke(self, context, _event):
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    def execute(self, context):
+        try:
+            source, messages = dump.convert(bpy.path.abspath(self.filepath))
+            name = os.path.basename(self.filepath)
+            collection = bpy.data.collections.new(name)
+            context.scene.collection.children.link(collection)
+            reader = SceneReader(source, context, self.up)
+            reader.run(collection)
+        except (dump.DumpError, program.ProgramMissing, KeyError) as error:
+            self.report({"ERROR"}, f"Oriel: {error}")
+            return {"CANCELLED"}
+        notes = messages + reader.reports
+        text = bpy.data.texts.new(f"{name} import")
+        text.write("\n".join(notes) or "everything was imported")
+        for note in reader.reports:
+            self.report({"WARNING"}, "Oriel: " + note)
+        return {"FINISHED"}
+
+
+def draw_menu(self, _context):
+    self.layout.operator(ORIEL_OT_import.bl_idname, text="mental ray (.mi)")
+
+
+def register():
+    bpy.utils.register_class(ORIEL_OT_import)
+    bpy.types.TOPBAR_MT_file_import.append(draw_menu)
+
+
+def unregister():
+    bpy.types.TOPBAR_MT_file_import.remove(draw_menu)
+    bpy.utils.unregister_class(ORIEL_OT_import)

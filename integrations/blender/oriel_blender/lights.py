@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Lights, with the units of Blender: watts, and W/m2 of suns."""
+import math
+
+from . import camera, mi, versions
+
+LUMENS_OF_WATT = 177.83  # of IES profiles in Cycles: the luminous efficacy of its white light
+SUN_DISTANCE = 1e5  # scene units; a scene of 100 units sees the disc under 0.06 degrees of parallax
+
+
+def colour(light, factor):
+    tint = versions.light_temperature(light)
+    strength = light.energy * versions.light_factor(light) * factor
+    return tuple(c * t * strength for c, t in zip(light.color, tint))
+
+
+def node_factor(light, report):
+    """Colour and strength of the node tree of a light, which multiply it."""
+    if not light.use_nodes or light.node_tree is None:
+        return (1.0, 1.0, 1.0), None
+    output = next((n for n in light.node_tree.nodes
+                   if n.type == "OUTPUT_LIGHT" and n.is_active_output), None)
+    links = output.inputs["Surface"].links if output else ()
+    node = links[0].from_node if links else None
+    if node is None:
+        return (0.0, 0.0, 0.0), None
+    if node.type != "EMISSION":
+        report(f'light "{light.name}": node "{node.name}" is unsupported and ignored')
+        return (1.0, 1.0, 1.0), None
+    profile, strength = None, node.inputs["Strength"]
+    factor = strength.default_value
+    if strength.is_linked:
+        source = strength.links[0].from_node
+        factor = 1.0
+        if source.type == "TEX_IES":
+            profile = source
+            if not source.inputs["Strength"].is_linked:
+                factor = source.inputs["Strength"].default_value
+        else:
+            report(f'light "{light.name}": node "{source.name}" is unsupported and ignored')
+    tint = node.inputs["Color"]
+    rgb = tuple(tint.default_value)[:3]
+    if tint.is_linked:
+        source = tint.links[0].from_node
+        if source.type == "BLACKBODY" and not source.inputs[0].is_linked:
+            rgb = blackbody(source.inputs[0].default_value)
+        else:
+            report(f'light "{light.name}": node "{source.name}" is unsupported and ignored')
+            rgb = (1.0, 1.0, 1.0)
+    return tuple(c * factor for c in rgb), profile
+
+
+def blackbody(kelvin):
+    """Linear Rec.709 of a black body, with luminance 1 (Planck's law, CIE 1931 by Wyman 2013)."""
+    def gauss(x, mean, low, high):
+        return math.exp(-0.5 * ((x - mean) * (low if x < mean else high)) ** 2)
+    xyz = [0.0, 0.0, 0.0]
+    for nm in range(380, 781, 5):
+        planck = nm ** -5 / (math.exp(1.438777e7 / (nm * max(kelvin, 800.0))) - 1)
+        x = 1.056 * gauss(nm, 599.8, .0264, .0323) + .362 * gauss(nm, 442, .0624, .0374) - \
+            .065 * gauss(nm, 501.1, .0490, .0382)
+        y = .821 * gauss(nm, 568.8, .0213, .0247) + .286 * gauss(nm, 530.9, .0613, .0322)
+        z = 1.217 * gauss(nm, 437, .0845, .0278) + .681 * gauss(nm, 459, .0385, .0725)
+        xyz = [a + b * planck for a, b in zip(xyz, (x, y, z))]
+    x, y, z = (v / xyz[1] for v in xyz)
+    rgb = (3.2406 * x - 1.5372 * y - .4986 * z, -.9689 * x + 1.8758 * y + .0415 * z,
+           .0557 * x - .2040 * y + 1.0570 * z)
+    return tuple(max(v, 0.0) for v in rgb)
+
+
+def area_size(light, matrix):
+    """Edges of the area light along local x and y, and its area in world units."""
+    width = light.size
+    height = light.size_y if light.shape in {"RECTANGLE", "ELLIPSE"} else light.size
+    scale = [math.sqrt(sum(matrix[r][c] ** 2 for r in range(3))) for c in range(2)]
+    area = width * scale[0] * height * scale[1]
+    if light.shape in {"DISK", "ELLIPSE"}:
+        area *= math.pi / 4
+    return width, height, area, scale
+
+
+def write(out, ob, light, name, matrix, motion, report):
+    """Writes a light and its instance; returns the name of the instance, or None."""
+    factor, profile = node_factor(light, report)
+    element = out.names.unique(name + ".light")
+    unit, body = matrix, None
+    if light.type == "SUN":
+        body = sun(light, factor)
+    elif light.type == "AREA":
+        if getattr(getattr(light, "cycles", None), "is_portal", False):
+            body, unit = portal(light, matrix), camera.unscaled(matrix)
+        else:
+            body = area(light, matrix, factor, getattr(ob, "visible_camera", True), report)
+            unit = camera.unscaled(matrix)
+    else:
+        body = point(out, light, factor, profile, getattr(ob, "visible_camera", True), report)
+    out.add(f"light {mi.quoted(element)}\n{body}end light\n")
+    instance = out.names.unique(name)
+    extra = mi.transform(motion, "motion transform") or "" if motion is not None else ""
+    return instance if out.instance(instance, element, unit, extra) else None
+
+
+def product(a, b):
+    return tuple(x * y for x, y in zip(a, b))
+
+
+def sun(light, factor):
+    """A sun is directional; with an angle it is a disc that is far away."""
+    irradiance = product(colour(light, 1.0), factor)
+    angle = light.angle / 2
+    if angle < 1e-4 or max(irradiance) <= 0:
+        shader = mi.call("mib_light_infinite", color=tuple(c / math.pi for c in irradiance),
+                         shadow=versions.light_casts_shadow(light))
+        return f"  {shader}\n  direction 0 0 -1\n"
+    # physical_light has 4 times the intensity along the normal, which is E D^2.
+    shader = mi.call("physical_light",
+                     color=tuple(4 * c * SUN_DISTANCE ** 2 for c in irradiance))
+    radius = SUN_DISTANCE * math.tan(min(angle, 1.4))
+    return (f"  {shader}\n  origin 0 0 {mi.number(SUN_DISTANCE)}\n  direction 0 0 -1\n"
+            f"  disc 0 0 -1 {mi.number(radius)} visible off\n")
+
+
+def area(light, matrix, factor, visible, report):
+    """An area light shines with P / (4 A) W/(m2 sr); a quarter of the power along its normal."""
+    width, height, surface, scale = area_size(light, matrix)
+    if abs(getattr(light, "spread", math.pi) - math.pi) > 1e-3:
+        report(f'light "{light.name}": spread is unsupported; the light shines to the whole side')
+    power = product(colour(light, 1.0), factor)
+    shader = mi.call("physical_light", color=power)
+    width, height = width * scale[0], height * scale[1]
+    seen = "on" if visible else "off"
+    if light.shape in {"DISK", "ELLIPSE"}:
+        if light.shape == "ELLIPSE" and abs(width - height) > 1e-6:
+            report(f'light "{light.name}": the ellipse becomes a disc of the same area')
+        shape = f"disc 0 0 -1 {mi.number(math.sqrt(width * height) / 2)}"
+    else:
+        shape = f"rectangle {mi.number(width)} 0 0 0 {mi.number(height)} 0"
+    return f"  {shader}\n  origin 0 0 0\n  direction 0 0 -1\n  {shape} visible {seen}\n"
+
+
+def point(out, light, factor, profile, visible, report):
+    """A point or spot light has P / (4 pi) W/sr; physical_light has 4 times the intensity."""
+    power = tuple(c / math.pi for c in product(colour(light, 1.0), factor))
+    parameters = {"color": power}
+    text = ""
+    if light.type == "SPOT":
+        half = min(light.spot_size / 2, math.radians(89.9))
+        inner = math.cos(half) + light.spot_blend * (1 - math.cos(half))
+        parameters["cone"] = min(inner, 1.0)
+        text = f"  direction 0 0 -1\n  spread {mi.number(math.cos(half))}\n"
+    shader = mi.call_of("physical_light", parameters)
+    if profile is not None:
+        shader, text = photometric(out, light, power, profile, report), ""
+    if light.shadow_soft_size > 0 and profile is None:
+        text += f"  sphere {mi.number(light.shadow_soft_size)} visible {'on' if visible else 'off'}\n"
+    return f"  {shader}\n  origin 0 0 0\n{text}"
+
+
+def photometric(out, light, power, profile, report):
+    import bpy
+    path = bpy.path.abspath(profile.filepath) if profile.mode == "EXTERNAL" else ""
+    if not path:
+        report(f'light "{light.name}": IES texts inside the file are unsupported and ignored')
+        return mi.call("physical_light", color=power)
+    name = out.names.unique(light.name + ".ies")
+    out.add(f"lightprofile {mi.quoted(name)}\n  format ies\n  file {mi.quoted(path)}\n"
+            "end lightprofile\n")
+    # Cycles converts the candela of a profile to W/sr by 177.83 lm/W; `power` is P / pi.
+    watts = tuple(c * math.pi / LUMENS_OF_WATT for c in power)
+    return mi.call("mib_light_photometric", color=watts, shadow=True,
+                   profile=mi.Words(mi.quoted(name)))
+
+
+def portal(light, matrix):
+    width, height, _area, scale = area_size(light, matrix)
+    shader = mi.call("mia_portal_light", on=True, reverse=True, visible=False)
+    return (f"  {shader}\n  origin 0 0 0\n  rectangle {mi.number(width * scale[0])} 0 0 "
+            f"0 {mi.number(height * scale[1])} 0\n")

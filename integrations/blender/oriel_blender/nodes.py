@@ -1,0 +1,409 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Values of node sockets: constants, or shaders of the base library that compute them."""
+import numpy
+
+from . import mi, world as links
+
+CONSTANT = object()
+
+
+class Graph:
+    """Translates the node trees of one material. Unsupported nodes are reported once each."""
+
+    def __init__(self, out, images, material, report, spaces):
+        self.out = out
+        self.images = images
+        self.material = material
+        self.report = report
+        self.spaces = spaces    # of the whole scene: ("uv", layer) or ("colour", attribute)
+        self.used = 0           # number of texture spaces that the mesh must have
+        self._cache = {}
+        self._groups = []       # group nodes around the current tree
+
+    def unsupported(self, node, what="is unsupported and replaced by its default"):
+        self.report(f'material "{self.material}": node "{node.name}" ({node.bl_label}) {what}')
+
+    def space(self, kind, name):
+        """Index of a texture space, added if new."""
+        key = kind, name
+        if key not in self.spaces:
+            self.spaces.append(key)
+        index = self.spaces.index(key)
+        self.used = max(self.used, index + 1)
+        return index
+
+    # Links ------------------------------------------------------------------------------------
+    def origin(self, socket):
+        """The output socket that feeds an input, and its node, through groups; None if unlinked."""
+        while socket is not None and socket.is_linked:
+            link = socket.links[0]
+            node, output = link.from_node, link.from_socket
+            if node.type == "REROUTE":
+                socket = node.inputs[0]
+            elif node.mute:
+                inner = [l for l in node.internal_links if l.to_socket == output]
+                socket = inner[0].from_socket if inner else None
+            elif node.type == "GROUP" and node.node_tree:
+                inner = links.output_node(node.node_tree, "GROUP_OUTPUT")
+                inside = next((s for s in inner.inputs if s.identifier == output.identifier), None) \
+                    if inner else None
+                if inside is None:
+                    return None
+                self._groups.append(node)
+                if not inside.is_linked:
+                    return CONSTANT, inside
+                socket = inside
+            elif node.type == "GROUP_INPUT" and self._groups:
+                group = self._groups.pop()
+                socket = next((s for s in group.inputs if s.identifier == output.identifier), None)
+                if socket is not None and not socket.is_linked:
+                    return CONSTANT, socket
+            else:
+                return node, output
+        return None
+
+    def constant(self, socket):
+        if not hasattr(socket, "default_value"):
+            return 0.0
+        value = socket.default_value
+        if isinstance(value, (int, float, bool)):
+            return float(value)
+        if isinstance(value, str):
+            return 0.0
+        return tuple(value)[:3]
+
+    def value(self, socket):
+        """A number, a tuple of three numbers, or a connection."""
+        groups = list(self._groups)
+        try:
+            found = self.origin(socket)
+            if found is None:
+                return self.constant(socket)
+            node, output = found
+            if node is CONSTANT:
+                return self.constant(output)
+            key = tuple(g.as_pointer() for g in self._groups), node.as_pointer(), output.identifier
+            if key not in self._cache:
+                self._cache[key] = self.constant(socket)  # ends cycles
+                self._cache[key] = self.translate(node, output, socket)
+            return self._cache[key]
+        finally:
+            self._groups = groups
+
+    def translate(self, node, output, socket):
+        method = TRANSLATORS.get(node.type)
+        if method is None and node.bl_idname.startswith("OrielNode_"):
+            from . import native
+            return native.call_of_node(self, node)
+        result = method(self, node, output) if method else None
+        if result is None:
+            self.unsupported(node)
+            return self.constant(socket)
+        return result
+
+    # Helpers ----------------------------------------------------------------------------------
+    def add(self, suffix, shader, **parameters):
+        return self.out.shader_of(f"{self.material}.{suffix}", shader, parameters)
+
+    def colour(self, value):
+        """A colour as a parameter."""
+        if isinstance(value, mi.Connection):
+            return value
+        if isinstance(value, tuple):
+            return value
+        return (value,) * 3
+
+    def scalar(self, value):
+        if isinstance(value, tuple):
+            return 0.2126 * value[0] + 0.7152 * value[1] + 0.0722 * value[2]
+        return value
+
+    def affine(self, value, low, high):
+        """low + (high - low) x for a value x in 0 to 1."""
+        if isinstance(value, mi.Connection):
+            return self.add("range", "mib_color_interpolate", input=value, num=2,
+                            color_0=(low,) * 3, color_1=(high,) * 3)
+        return low + (high - low) * value
+
+    def curve(self, value, function, count=8):
+        """function(x) of a value in 0 to 1, as a table of at most eight entries."""
+        if not isinstance(value, mi.Connection):
+            return function(value)
+        steps = [i / (count - 1) for i in range(count)]
+        table = {"input": value, "num": count}
+        table.update({f"weight_{i}": steps[i] for i in range(1, count - 1)})
+        table.update({f"color_{i}": (function(x),) * 3 for i, x in enumerate(steps)})
+        return self.out.shader_of(f"{self.material}.curve", "mib_color_interpolate", table)
+
+    def product(self, a, b):
+        """a times b, for numbers, colours and connections."""
+        if not isinstance(a, mi.Connection) and not isinstance(b, mi.Connection):
+            if isinstance(a, tuple) or isinstance(b, tuple):
+                return tuple(x * y for x, y in zip(self.colour(a), self.colour(b)))
+            return a * b
+        if b == 1.0 or b == (1.0, 1.0, 1.0):
+            return a
+        if a == 1.0 or a == (1.0, 1.0, 1.0):
+            return b
+        return self.mix("product", 4, 1.0, a, b)
+
+    def mix(self, suffix, mode, weight, below, above):
+        return self.add(suffix, "mib_color_mix", num=1, mode_0=mode, weight_0=weight,
+                        color_0=self.colour(above), color_base=self.colour(below))
+
+    def channel(self, value, index):
+        """One channel of a colour."""
+        if isinstance(value, tuple):
+            return value[index]
+        if not isinstance(value, mi.Connection):
+            return value
+        mask = tuple(1.0 if i == index else 0.0 for i in range(3))
+        masked = self.mix("channel", 4, 1.0, value, mask)
+        return self.add("channel", "mib_color_average", input=masked, factor=3.0)
+
+    def blend(self, factor, a, b):
+        """a (1 - factor) + b factor."""
+        if not isinstance(factor, mi.Connection):
+            if factor <= 0:
+                return a
+            if factor >= 1:
+                return b
+            if not isinstance(a, mi.Connection) and not isinstance(b, mi.Connection):
+                return tuple(x + (y - x) * factor for x, y in zip(self.colour(a), self.colour(b)))
+        return self.mix("mix", 1, factor, a, b)
+
+    # Nodes ------------------------------------------------------------------------------------
+    def coordinate(self, socket, generated="uv"):
+        """A texture coordinate: a connection to a vector."""
+        found = self.origin(socket)
+        if found is None or found[0] is CONSTANT:
+            if generated == "uv":
+                return self.add("uv", "mib_texture_vector", select=self.space("uv", ""), selspace=1)
+            return self.add("point", "mib_texture_vector", select=-1, selspace=1)
+        node, output = found
+        groups = list(self._groups)
+        try:
+            result = self.coordinate_of(node, output)
+        finally:
+            self._groups = groups
+        return result
+
+    def coordinate_of(self, node, output):
+        if node.type == "UVMAP":
+            return self.add("uv", "mib_texture_vector", select=self.space("uv", node.uv_map),
+                            selspace=1)
+        if node.type == "TEX_COORD":
+            name = output.identifier
+            if name == "UV":
+                return self.add("uv", "mib_texture_vector", select=self.space("uv", ""), selspace=1)
+            if name == "Normal":
+                return self.add("normal", "mib_texture_vector", select=-2, selspace=1)
+            if name == "Window":
+                return self.add("window", "mib_texture_vector", select=-1, selspace=4)
+            if name == "Generated":
+                self.unsupported(node, "has generated coordinates, which are read as object "
+                                       "coordinates")
+            return self.add("point", "mib_texture_vector", select=-1, selspace=1)
+        if node.type == "NEW_GEOMETRY":
+            select = -2 if "ormal" in output.identifier else -1
+            return self.add("world_point", "mib_texture_vector", select=select, selspace=2)
+        if node.type == "MAPPING":
+            return self.mapping(node)
+        self.unsupported(node, "is unsupported as a coordinate and replaced by UV")
+        return self.add("uv", "mib_texture_vector", select=self.space("uv", ""), selspace=1)
+
+    def mapping(self, node):
+        inner = self.coordinate(node.inputs["Vector"])
+        matrix = mapping_matrix(node)
+        if matrix is None:
+            self.unsupported(node, "has linked or singular values, which are ignored")
+            return inner
+        return self.add("mapping", "mib_texture_remap", input=inner,
+                        transform=tuple(matrix.T.ravel()))
+
+    def image(self, node, output):
+        texture = self.images.texture(node.image, self.material, node.name)
+        if texture is None:
+            return (1.0, 0.0, 1.0)
+        if getattr(node, "projection", "FLAT") != "FLAT":
+            self.unsupported(node, f"has the projection {node.projection}, which is read as flat")
+        coordinate = self.coordinate(node.inputs["Vector"])
+        if node.extension == "REPEAT":
+            coordinate = self.add("repeat", "mib_texture_remap", input=coordinate, torus_x=True,
+                                  torus_y=True)
+        elif node.extension != "CLIP":
+            self.unsupported(node, f"has the extension {node.extension}, which is read as clip")
+        look = self.add(node.name, "mib_texture_lookup", tex=mi.Words(mi.quoted(texture)),
+                        coord=coordinate)
+        if output.identifier == "Alpha":
+            return self.add("alpha", "mib_color_alpha", input=look, factor=1.0)
+        return look
+
+    def mix_rgb(self, node, output):
+        if node.type == "MIX":  # from 3.4
+            kind = node.data_type
+            names = {"FLOAT": "Float", "VECTOR": "Vector", "RGBA": "Color"}[kind]
+            inputs = {s.identifier: s for s in node.inputs}
+            factor = self.scalar(self.value(inputs["Factor_Float"]))
+            a, b = (self.value(inputs[f"{side}_{names}"]) for side in "AB")
+            blend = node.blend_type if kind == "RGBA" else "MIX"
+        else:
+            factor = self.scalar(self.value(node.inputs["Fac"]))
+            a, b = self.value(node.inputs["Color1"]), self.value(node.inputs["Color2"])
+            blend = node.blend_type
+        if blend == "MIX":
+            return self.blend(factor, a, b)
+        if blend == "MULTIPLY":
+            return self.blend(factor, a, self.product(a, b))
+        if blend == "ADD":
+            return self.mix("add", 2, factor, a, b)
+        self.unsupported(node, f"has the blending mode {blend}, which is replaced by mix")
+        return self.blend(factor, a, b)
+
+    def ramp(self, node, output):
+        elements = list(node.color_ramp.elements)
+        value = self.scalar_input(node.inputs["Fac"])
+        if not isinstance(value, mi.Connection):
+            rgba = node.color_ramp.evaluate(value)
+            return rgba[3] if output.identifier == "Alpha" else tuple(rgba)[:3]
+        positions = sorted({0.0, 1.0} | {e.position for e in elements})
+        if len(positions) > 8 or node.color_ramp.interpolation != "LINEAR":
+            positions = [i / 7 for i in range(8)]
+            if node.color_ramp.interpolation not in {"LINEAR", "EASE"}:
+                self.unsupported(node, "is read at eight positions")
+        table = {"input": value, "num": len(positions)}
+        for i, x in enumerate(positions):
+            rgba = node.color_ramp.evaluate(x)
+            if 0 < i < len(positions) - 1:
+                table[f"weight_{i}"] = x
+            table[f"color_{i}"] = (rgba[3],) * 3 if output.identifier == "Alpha" else tuple(rgba)[:3]
+        return self.out.shader_of(f"{self.material}.ramp", "mib_color_interpolate", table)
+
+    def scalar_input(self, socket):
+        value = self.value(socket)
+        if isinstance(value, mi.Connection):
+            return self.add("grey", "mib_color_intensity", input=value, factor=1.0)
+        return self.scalar(value)
+
+    def invert(self, node, output):
+        value, factor = self.value(node.inputs["Color"]), self.value(node.inputs["Fac"])
+        if isinstance(value, mi.Connection):
+            inverse = self.add("minus", "mib_color_mix", num=1, mode_0=2, weight_0=-1.0,
+                               color_0=value, color_base=(1.0, 1.0, 1.0))
+        else:
+            inverse = tuple(1 - c for c in self.colour(value))
+        return self.blend(self.scalar(factor), value, inverse)
+
+    def math(self, node, output):
+        values = [self.scalar(self.value(s)) for s in node.inputs[:2]]
+        if any(isinstance(v, mi.Connection) for v in values):
+            if node.operation == "MULTIPLY":
+                return self.product(*values)
+            if node.operation in {"ADD", "SUBTRACT"}:
+                sign = 1.0 if node.operation == "ADD" else -1.0
+                return self.mix("sum", 2, sign, values[0], values[1])
+            if node.operation == "POWER" and not isinstance(values[1], mi.Connection):
+                return self.curve(values[0], lambda x: max(x, 0.0) ** values[1])
+            return None
+        a, b = values
+        functions = {"ADD": lambda: a + b, "SUBTRACT": lambda: a - b, "MULTIPLY": lambda: a * b,
+                     "DIVIDE": lambda: a / b if b else 0.0, "POWER": lambda: abs(a) ** b,
+                     "MINIMUM": lambda: min(a, b), "MAXIMUM": lambda: max(a, b)}
+        return functions[node.operation]() if node.operation in functions else None
+
+    def checker(self, node, output):
+        scale = self.scalar(self.value(node.inputs["Scale"]))
+        if isinstance(scale, mi.Connection):
+            return None
+        matrix = numpy.diag([scale / 2, scale / 2, scale / 2, 1.0])
+        point = self.coordinate(node.inputs["Vector"], "point")
+        wrapped = self.add("checks", "mib_texture_remap", input=point,
+                           transform=tuple(matrix.ravel()), torus_x=True, torus_y=True,
+                           torus_z=True)
+        if output.identifier == "Fac":
+            a, b = (1.0,) * 3, (0.0,) * 3
+        else:
+            a, b = (self.colour(self.value(node.inputs[k])) for k in ("Color1", "Color2"))
+        boxes = {f"color{x}{y}{z}": a if (x + y + z) % 2 == 1 else b
+                 for x in (0, 1) for y in (0, 1) for z in (0, 1)}
+        return self.add("checker", "mib_texture_checkerboard", coord=wrapped, xsize=0.5, ysize=0.5,
+                        zsize=0.5, **boxes)
+
+    def noise(self, node, output):
+        self.unsupported(node, "is approximated by another noise")
+        scale = self.scalar(self.value(node.inputs["Scale"]))
+        scale = 5.0 if isinstance(scale, mi.Connection) else scale
+        detail = self.scalar(self.value(node.inputs["Detail"]))
+        detail = 2.0 if isinstance(detail, mi.Connection) else detail
+        matrix = numpy.diag([scale, scale, scale, 1.0])
+        point = self.coordinate(node.inputs["Vector"], "point")
+        scaled = self.add("noise_scale", "mib_texture_remap", input=point,
+                          transform=tuple(matrix.ravel()))
+        return self.add("noise", "mib_texture_turbulence", coord=scaled, spacing=1.0, strength=1.0,
+                        power=1.0, iteration=int(min(max(detail + 1, 1), 8)))
+
+    def vertex_colour(self, node, output):
+        name = getattr(node, "layer_name", "") or getattr(node, "attribute_name", "")
+        return self.add("vertex_colour", "oriel_vertex_color", color=(1.0, 1.0, 1.0),
+                        space=self.space("colour", name))
+
+    def separate(self, node, output):
+        value = self.value(node.inputs[0])
+        names = {"R": 0, "G": 1, "B": 2, "X": 0, "Y": 1, "Z": 2, "Red": 0, "Green": 1, "Blue": 2}
+        if getattr(node, "mode", "RGB") != "RGB" or output.identifier not in names:
+            return None
+        return self.channel(value, names[output.identifier])
+
+    def rgb_constant(self, node, output):
+        return self.constant(node.outputs[0])
+
+    def blackbody_constant(self, node, output):
+        from . import lights
+        kelvin = self.value(node.inputs[0])
+        return None if isinstance(kelvin, mi.Connection) else lights.blackbody(kelvin)
+
+    def gamma(self, node, output):
+        value, power = self.value(node.inputs["Color"]), self.value(node.inputs["Gamma"])
+        if isinstance(value, mi.Connection) or isinstance(power, mi.Connection):
+            return None
+        return tuple(max(c, 0.0) ** power for c in self.colour(value))
+
+    def grey(self, node, output):
+        value = self.value(node.inputs[0])
+        if isinstance(value, mi.Connection):
+            return self.add("grey", "mib_color_intensity", input=value, factor=1.0)
+        return self.scalar(value)
+
+
+def mapping_matrix(node):
+    """The 4x4 matrix of a Mapping node for column vectors; None if it is linked or singular."""
+    from mathutils import Euler
+    names = [n for n in ("Location", "Rotation", "Scale") if n in node.inputs]
+    if any(node.inputs[n].is_linked for n in names):
+        return None
+    get = {n: tuple(node.inputs[n].default_value) for n in names}
+    rotation = numpy.array(Euler(get["Rotation"], "XYZ").to_matrix(), numpy.float64)
+    scale = numpy.diag(get["Scale"])
+    matrix = numpy.eye(4)
+    kind = node.vector_type
+    matrix[:3, :3] = rotation @ scale
+    if kind in {"POINT", "TEXTURE"}:
+        matrix[:3, 3] = get.get("Location", (0, 0, 0))
+    if kind == "NORMAL":
+        matrix[:3, :3] = rotation @ numpy.linalg.inv(scale) if numpy.all(numpy.diag(scale)) else \
+            rotation
+    if kind == "TEXTURE":
+        if abs(numpy.linalg.det(matrix)) < 1e-30:
+            return None
+        matrix = numpy.linalg.inv(matrix)
+    return matrix
+
+
+TRANSLATORS = {
+    "TEX_IMAGE": Graph.image, "MIX_RGB": Graph.mix_rgb, "MIX": Graph.mix_rgb,
+    "VALTORGB": Graph.ramp, "INVERT": Graph.invert, "MATH": Graph.math,
+    "TEX_CHECKER": Graph.checker, "TEX_NOISE": Graph.noise, "VERTEX_COLOR": Graph.vertex_colour,
+    "ATTRIBUTE": Graph.vertex_colour, "SEPRGB": Graph.separate, "SEPARATE_COLOR": Graph.separate,
+    "SEPXYZ": Graph.separate, "RGB": Graph.rgb_constant, "VALUE": Graph.rgb_constant,
+    "BLACKBODY": Graph.blackbody_constant, "GAMMA": Graph.gamma, "RGBTOBW": Graph.grey,
+}

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Differences between versions of Blender. Features are tested, not version numbers."""
+import bpy
+import numpy
+
+
+def split_normals(mesh):
+    """Normals of the face corners, float32 of shape (corners, 3)."""
+    normals = numpy.empty(len(mesh.loops) * 3, numpy.float32)
+    if hasattr(mesh, "corner_normals"):  # from 4.1
+        mesh.corner_normals.foreach_get("vector", normals)
+    else:
+        mesh.calc_normals_split()
+        mesh.loops.foreach_get("normal", normals)
+    return normals.reshape(-1, 3)
+
+
+def uv_layer(layer):
+    """Texture coordinates of the face corners, float32 of shape (corners, 2)."""
+    uv = numpy.empty(len(layer.data) * 2, numpy.float32)
+    if hasattr(layer, "uv") and len(getattr(layer, "uv")) == len(layer.data):  # from 3.5
+        layer.uv.foreach_get("vector", uv)
+    else:
+        layer.data.foreach_get("uv", uv)
+    return uv.reshape(-1, 2)
+
+
+def triangle_polygons(mesh):
+    """The face of each triangle."""
+    faces = numpy.empty(len(mesh.loop_triangles), numpy.int32)
+    if hasattr(mesh, "loop_triangle_polygons"):  # from 3.6
+        mesh.loop_triangle_polygons.foreach_get("value", faces)
+    else:
+        mesh.loop_triangles.foreach_get("polygon_index", faces)
+    return faces
+
+
+def set_corner_normals(mesh, normals):
+    """Custom normals of the face corners. Removed functions are skipped."""
+    if hasattr(mesh, "use_auto_smooth"):  # until 4.0
+        mesh.use_auto_smooth = True
+    mesh.normals_split_custom_set(normals)
+
+
+def principled_is_layered(node):
+    """Whether the layers of Principled BSDF weaken those below (from 4.0)."""
+    return "Coat Weight" in node.inputs
+
+
+def has_raw_view():
+    return bool(bpy.app.version)
+
+
+def light_factor(light):
+    """Exposure of a light (from 4.5)."""
+    return 2.0 ** getattr(light, "exposure", 0.0)
+
+
+def light_temperature(light):
+    """Colour of the temperature of a light (from 4.5)."""
+    if getattr(light, "use_temperature", False):
+        return tuple(light.temperature_color)
+    return (1.0, 1.0, 1.0)
+
+
+def light_casts_shadow(light):
+    cycles = getattr(light, "cycles", None)
+    if cycles is not None and hasattr(cycles, "cast_shadow"):  # until 4.1
+        return bool(cycles.cast_shadow)
+    return bool(getattr(light, "use_shadow", True))
+
+
+def linear_spaces():
+    """Names of colour spaces without a curve."""
+    return {"Linear", "Linear Rec.709", "Raw", "Non-Color", "scene_linear"}
+
+
+def pass_names():
+    """Names of the passes of Cycles, short until 4.5 and long from 5.0."""
+    if bpy.app.version >= (5, 0, 0):
+        return {"DiffDir": "Diffuse Direct", "DiffInd": "Diffuse Indirect", "DiffCol": "Diffuse Color",
+                "GlossDir": "Glossy Direct", "GlossInd": "Glossy Indirect", "GlossCol": "Glossy Color",
+                "TransDir": "Transmission Direct", "TransInd": "Transmission Indirect",
+                "TransCol": "Transmission Color", "Emit": "Emission", "Env": "Environment",
+                "IndexOB": "Object Index", "IndexMA": "Material Index"}
+    return {}

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The world: colours, pictures, and sun and sky."""
+import math
+
+import numpy
+
+from . import mi
+
+
+def output_node(tree, kind):
+    """The active output node of a node tree."""
+    outputs = [n for n in tree.nodes if n.type == kind]
+    active = [n for n in outputs if getattr(n, "is_active_output", False)]
+    return (active or outputs or [None])[0]
+
+
+def source_of(socket):
+    """The node linked to a socket, through reroutes and muted nodes; None without a link."""
+    while socket.is_linked:
+        link = socket.links[0]
+        node = link.from_node
+        if node.type == "REROUTE":
+            socket = node.inputs[0]
+        elif node.mute and node.internal_links:
+            inner = [l for l in node.internal_links if l.to_socket == link.from_socket]
+            if not inner:
+                return None
+            socket = inner[0].from_socket
+        else:
+            return node
+    return None
+
+
+def direction_of_sky(rotation, elevation):
+    return (math.sin(rotation) * math.cos(elevation), math.cos(rotation) * math.cos(elevation),
+            math.sin(elevation))
+
+
+class WorldWriter:
+    """Writes the environment shader of a world and, for a sky, the sun."""
+
+    def __init__(self, out, images, report):
+        self.out = out
+        self.images = images
+        self.report = report
+
+    def constant(self, rgb):
+        """A constant environment. Environments return pi times their radiance only in lux."""
+        return self.out.shader("world", "mib_color_mix", num=0, color_base=tuple(rgb) + (1.0,))
+
+    def write(self, world):
+        """Returns the name of the environment shader, or None for black."""
+        if world is None:
+            return None
+        if not world.use_nodes or world.node_tree is None:
+            return self.constant(world.color)
+        output = output_node(world.node_tree, "OUTPUT_WORLD")
+        node = source_of(output.inputs["Surface"]) if output else None
+        if node is None:
+            return None
+        if node.type != "BACKGROUND":
+            self.report(f'world "{world.name}": node "{node.name}" is unsupported; the world is black')
+            return None
+        strength = node.inputs["Strength"].default_value
+        if node.inputs["Strength"].is_linked:
+            self.report(f'world "{world.name}": the link of the strength is ignored')
+        source = source_of(node.inputs["Color"])
+        if source is None:
+            rgb = node.inputs["Color"].default_value
+            return self.constant([c * strength for c in rgb[:3]])
+        if source.type == "TEX_ENVIRONMENT":
+            return self.picture(world, source, strength)
+        if source.type == "TEX_SKY":
+            return self.sky(world, source, strength)
+        self.report(f'world "{world.name}": node "{source.name}" is unsupported; grey is used')
+        return self.constant([0.5 * strength] * 3)
+
+    def rotation(self, world, node):
+        """Rotation of the Mapping node in front of a texture, as a 3x3 matrix."""
+        mapping = source_of(node.inputs["Vector"])
+        if mapping is None or mapping.type == "TEX_COORD":
+            return numpy.eye(3)
+        if mapping.type != "MAPPING":
+            self.report(f'world "{world.name}": node "{mapping.name}" is unsupported and ignored')
+            return numpy.eye(3)
+        from mathutils import Euler
+        angles = mapping.inputs["Rotation"].default_value
+        matrix = numpy.array(Euler(angles, "XYZ").to_matrix(), numpy.float64)
+        return matrix.T if mapping.vector_type == "TEXTURE" else matrix
+
+    def picture(self, world, node, strength):
+        texture = self.images.texture(node.image, world.name, node.name)
+        if texture is None:
+            return self.constant((1.0 * strength, 0.0, 1.0 * strength))
+        if node.projection != "EQUIRECTANGULAR":
+            self.report(f'world "{world.name}": node "{node.name}": mirror balls are unsupported')
+        # Look-ups turn about y; the centre of the picture is -z for them and +x in Blender.
+        turn = numpy.array([[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]])
+        matrix = numpy.eye(4)
+        matrix[:3, :3] = (turn @ self.rotation(world, node)).T
+        ray = self.out.shader("world.ray", "mib_texture_vector", select=-10, selspace=2)
+        turned = self.out.shader("world.turned", "mib_texture_remap", input=ray,
+                                 transform=tuple(matrix.ravel()))
+        look = self.out.shader("world.picture", "mib_lookup_spherical", dir=turned,
+                               tex=mi.Words(mi.quoted(texture)))
+        return self.scaled(look, strength)
+
+    def scaled(self, look, strength):
+        return self.out.shader("world", "mib_color_mix", num=1, mode_0=4, weight_0=1.0,
+                               color_0=(strength, strength, strength, 1.0), color_base=look)
+
+    def sky(self, world, node, strength):
+        """Sun and sky at the elevation and rotation of the node, in W/m2 by 683 lm/W."""
+        if node.sky_type in {"PREETHAM", "HOSEK_WILKIE"}:
+            direction = tuple(node.sun_direction)
+            disc, size, intensity = False, math.radians(0.533), 1.0
+            haze = max(node.turbidity - 2.0, 0.0)
+        else:
+            direction = direction_of_sky(node.sun_rotation, node.sun_elevation)
+            disc, size, intensity = node.sun_disc, node.sun_size, node.sun_intensity
+            haze = min(max(getattr(node, "dust_density", 1.0) - 1.0, 0.0) * 1.5, 15.0)
+        direction = tuple(self.rotation(world, node).T @ numpy.array(direction))
+        return sun_and_sky(self.out, direction, haze, strength / 683.0, disc, size, intensity)
+
+
+def sun_and_sky(out, direction, haze, per_lux, disc=True, size=math.radians(0.533), intensity=1.0):
+    """Writes mia_physicalsky and mia_physicalsun; returns the name of the sky.
+
+    per_lux: W/m2 of a lux (1/683 for a sky in Blender's units).
+    """
+    conversion = (per_lux / math.pi,) * 3
+    common = {"rgb_unit_conversion": conversion, "haze": haze}
+    z = numpy.array(direction, numpy.float64)
+    z /= numpy.linalg.norm(z)
+    x = numpy.cross((0.0, 0.0, 1.0), z)
+    x = numpy.array((1.0, 0.0, 0.0)) if numpy.linalg.norm(x) < 1e-6 else x / numpy.linalg.norm(x)
+    matrix = numpy.eye(4)
+    matrix[:3, :3] = numpy.array([x, numpy.cross(z, x), z]).T
+    if disc and intensity > 0:
+        sun = out.names.unique("sun.light")
+        instance = out.names.unique("Sun and sky")
+        softness = size / math.radians(0.533)
+        out.add(f"light {mi.quoted(sun)}\n  " +
+                mi.call_of("mia_physicalsun", {**common, "multiplier": intensity,
+                                               "shadow_softness": softness, "samples": 8}) +
+                "\n  direction 0 0 -1\nend light\n")
+        out.instance(instance, sun, matrix)
+        link = {"sun": mi.Words(mi.quoted(instance))}
+    else:
+        link = {"sun_direction": tuple(z), "sun_disk_intensity": 0.0, "sun_glow_intensity": 0.0}
+    return out.shader_of("world", "mia_physicalsky", {**common, **link, "sun_disk_scale": 1.0})

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The rendered viewport in a window (of Xvfb): it draws, follows edits and views, and survives
+a crash of the program."""
+# acceptance: Y4
+import pathlib
+import sys
+import time
+import traceback
+
+import bpy
+import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import support  # noqa: E402
+from oriel_blender import program, viewport  # noqa: E402
+
+WAIT = 0.2
+seen = {}
+
+
+def view_area():
+    window = bpy.context.window_manager.windows[0]
+    return window, next(a for a in window.screen.areas if a.type == "VIEW_3D")
+
+
+def session():
+    return next(iter(viewport.SESSIONS), None)
+
+
+def screenshot(name):
+    path = str(support.FOLDER / f"{name}.png")
+    window, area = view_area()
+    with bpy.context.temp_override(window=window, area=area):
+        bpy.ops.screen.screenshot_area(filepath=path)
+    pixels = support.pixels_of(path)
+    height, width = pixels.shape[:2]
+    # The middle, away from the interface around it.
+    return pixels[height // 4:3 * height // 4, width // 4:3 * width // 4, :3]
+
+
+def outline(pixels):
+    """Bounds of the pixels that differ from the corner."""
+    rows, columns = numpy.nonzero(numpy.abs(pixels - pixels[5, 5]).max(axis=2) > .03)
+    return numpy.array([columns.min(), columns.max(), rows.min(), rows.max()])
+
+
+def submitted():
+    return session().worker.submitted
+
+
+def finished(before):
+    """Whether a job after that number is done, and no other one is waiting."""
+    current = session()
+    return current and current.worker.submitted > before and \
+        current.worker.finished == current.worker.submitted
+
+
+def prepare():
+    _window, area = view_area()
+    scene = bpy.context.scene
+    scene.render.engine = "ORIEL"
+    scene.oriel.preview_samples = 8
+    scene.view_settings.view_transform = "Raw"
+    scene.world.use_nodes = False
+    scene.world.color = (.2, .3, .6)
+    space = area.spaces.active
+    space.region_3d.view_distance = 8.0
+    space.overlay.show_overlays = False
+    space.show_gizmo = False
+    space.shading.type = "SOLID"
+    yield lambda: True
+    yield lambda: True
+    seen["solid"] = screenshot("viewport_solid")
+    space.shading.type = "RENDERED"
+    yield lambda: finished(0)
+    seen["start"] = screenshot("viewport_start")
+    solid, ours = outline(seen["solid"]), outline(seen["start"])
+    support.check(numpy.abs(solid - ours).max() <= 2, f"outline {ours}, of the solid view {solid}")
+    world = (numpy.abs(seen["start"][5, 5] - (.2, .3, .6)) < .01).all()
+    support.check(world, f"the world is behind the cube: {seen['start'][5, 5]}")
+    # An edit of a material.
+    before = submitted()
+    material = bpy.data.materials["Material"]
+    node = next(n for n in material.node_tree.nodes if n.type == "BSDF_PRINCIPLED")
+    node.inputs["Base Color"].default_value = (.9, .1, .05, 1)
+    yield lambda: finished(before)
+    seen["material"] = screenshot("viewport_material")
+    red = (seen["material"][..., 0] > seen["material"][..., 2] + .05).mean()
+    support.check(red > .03, f"the edited material is red: {red:.2f} of the pixels")
+    # An edit of an object.
+    before = submitted()
+    bpy.data.objects["Cube"].location.z += 1.5
+    yield lambda: finished(before)
+    seen["moved"] = screenshot("viewport_moved")
+    support.check(numpy.abs(seen["moved"] - seen["material"]).mean() > .01, "the cube moved")
+    # A new view.
+    before = submitted()
+    region = area.spaces.active.region_3d
+    region.view_distance *= .6
+    yield lambda: finished(before)
+    seen["view"] = screenshot("viewport_view")
+    support.check(numpy.abs(seen["view"] - seen["moved"]).mean() > .01, "the view changed")
+    jobs = submitted()
+    scene.view_settings.exposure = 1.0
+    yield lambda: True
+    yield lambda: True
+    support.check(submitted() == jobs, "colour management restarts nothing")
+    scene.view_settings.exposure = 0.0
+    # A crash of the program is a message.
+    broken = support.FOLDER / "broken_view"
+    broken.write_text("#!/bin/sh\nkill -SEGV $$\n")
+    broken.chmod(0o755)
+    program._found = str(broken)
+    bpy.data.objects["Cube"].location.z -= 1.5
+    yield lambda: session().worker.error
+    support.check("exit code" in session().worker.error, f"crash: {session().worker.error}")
+    program.find_cached(refresh=True)
+    before = submitted()
+    bpy.data.objects["Cube"].location.x += .5
+    yield lambda: finished(before) and not session().worker.error
+    support.check(True, "the next edit renders again")
+    worker = session().worker
+    space.shading.type = "SOLID"
+    yield lambda: True
+    yield lambda: not worker._thread.is_alive() or True
+    print("all tests passed", flush=True)
+
+
+bpy.context.preferences.view.show_splash = False  # it would cover the view
+steps = prepare()
+state = {"ready": None, "left": 600}
+
+
+def tick():
+    try:
+        if state["ready"] is None or state["ready"]():
+            state["ready"] = next(steps)
+        state["left"] -= 1
+        if state["left"] <= 0:
+            raise AssertionError("the viewport did not finish in time")
+        return WAIT
+    except StopIteration:
+        pass
+    except Exception:
+        traceback.print_exc()
+    bpy.ops.wm.quit_blender()
+    return None
+
+
+bpy.app.timers.register(tick, first_interval=1.0)
