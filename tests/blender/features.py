@@ -338,6 +338,30 @@ def failures():
         support.check("camera" in str(error), f"no camera: {str(error).strip()}")
 
 
+def cancelled():
+    """A cancelled render ends its process at once."""
+    scene = lit_scene()
+    support.add_plane(2.0, support.diffuse_material())
+    scene.render.engine, scene.oriel.samples = "ORIEL", 1000000
+    scene.render.resolution_x = scene.render.resolution_y = 512
+    runs, kept = [], engine.process.RenderProcess
+
+    class Watched(kept):
+        def __init__(self, *arguments):
+            super().__init__(*arguments)
+            runs.append(self)
+
+    engine.process.RenderProcess = Watched
+    cancel = engine.OrielEngine.cancelled
+    engine.OrielEngine.cancelled = lambda self: True
+    try:
+        bpy.ops.render.render()
+    finally:
+        engine.process.RenderProcess = kept
+        engine.OrielEngine.cancelled = cancel
+    support.check(len(runs) == 1 and not runs[0].running(), "the process has ended")
+
+
 def nodes():
     """Every shader of the program has a node with its parameters; a native material renders."""
     declarations = program.declarations()
@@ -397,8 +421,8 @@ def registration():
     support.check(set(dir(bpy.types)) == before, "registered again")
 
 
-TESTS = (passes, denoised, portal, views, geometry, normals, hair, motion, frames, failures, nodes, speed,
-         registration)
+TESTS = (passes, denoised, portal, views, geometry, normals, hair, motion, frames, failures,
+         cancelled, nodes, speed, registration)
 chosen = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
 for test in TESTS:
     if not chosen or test.__name__ in chosen:

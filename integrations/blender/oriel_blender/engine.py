@@ -144,7 +144,7 @@ class OrielEngine(bpy.types.RenderEngine):
         except BaseException:
             self.end_result(result, cancel=True)
             raise
-        self.end_result(result, cancel=self.test_break())
+        self.end_result(result, cancel=self.cancelled())
 
     def render_background(self, scene_path, border):
         """The light of the world behind the objects of a transparent film, (pixels, 3)."""
@@ -154,12 +154,15 @@ class OrielEngine(bpy.types.RenderEngine):
             path, "-o", output, "--exr", "float,none", "--linear", "--layers", "beauty",
             "--samples", "16", *border.arguments()], folder)
         while run.running():
-            if self.test_break():
+            if self.cancelled():
                 run.kill()
                 return None
             time.sleep(POLL_SECONDS)
         run.finish()
         return exr.read(output).stack(list(passes.RGB)) if run.code == 0 else None
+
+    def cancelled(self):
+        return self.test_break()
 
     def warn(self, text):
         if not self.is_preview:
@@ -206,7 +209,7 @@ class OrielEngine(bpy.types.RenderEngine):
         shown, stamp = time.time(), None
         try:
             while run.running():
-                if self.test_break():
+                if self.cancelled():
                     return
                 for event in run.events():
                     self.progress(event)

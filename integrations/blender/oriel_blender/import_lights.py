@@ -38,7 +38,7 @@ def light(reader, source):
         made = bpy.data.lights.new(name, "AREA")
         set_energy(made, colour, 1.0)
         set_shape(made, area)
-        if kind == "mia_portal_light" and hasattr(made.cycles, "is_portal"):
+        if kind == "mia_portal_light" and hasattr(made, "cycles"):
             made.cycles.is_portal = True
         return made
     if kind == "mib_light_infinite" or ("direction" in source and "origin" not in source):
@@ -79,7 +79,7 @@ def orient(ob, source):
         x = Vector(area["numbers"][0:3]).normalized()
         z = -direction.normalized() if "direction" in source else \
             x.cross(Vector(area["numbers"][3:6])).normalized()
-        if ob.data.cycles.is_portal:
+        if getattr(getattr(ob.data, "cycles", None), "is_portal", False):
             z = -z  # portals shine along +z
     else:
         z = -direction.normalized()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Panels of the properties editor. Panels of Cycles that apply are shown as well."""
+"""Panels of the properties editor. Panels of Blender that apply are shown as well."""
 import bpy
 
 from .engine import ENGINE
@@ -85,19 +85,41 @@ class ORIEL_PT_passes(OrielPanel, bpy.types.Panel):
         column.prop(layer, "pass_cryptomatte_depth", text="Levels")
 
 
-CLASSES = (ORIEL_PT_sampling, ORIEL_PT_light_paths, ORIEL_PT_motion_blur, ORIEL_PT_exposure,
+class ORIEL_PT_light(OrielPanel, bpy.types.Panel):
+    bl_label = "Oriel"
+    bl_context = "data"
+
+    @classmethod
+    def poll(cls, context):
+        return super().poll(context) and context.light and context.light.type == "AREA" and \
+            hasattr(context.light, "cycles")
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        self.layout.prop(context.light.cycles, "is_portal", text="Portal")
+
+
+CLASSES = (ORIEL_PT_light, ORIEL_PT_sampling, ORIEL_PT_light_paths, ORIEL_PT_motion_blur, ORIEL_PT_exposure,
            ORIEL_PT_passes)
 
 # Panels for properties that are specific to another engine.
 EXCLUDED = {"RENDER_PT_simplify", "VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes",
             "RENDER_PT_freestyle", "VIEWLAYER_PT_freestyle_lineset"}
+# Panels of EEVEE for data that Oriel reads as well.
+INCLUDED = {"MATERIAL_PT_preview", "EEVEE_MATERIAL_PT_context_material",
+            "EEVEE_MATERIAL_PT_surface", "EEVEE_NEXT_MATERIAL_PT_surface", "WORLD_PT_preview",
+            "EEVEE_WORLD_PT_surface", "WORLD_PT_surface", "DATA_PT_light", "DATA_PT_EEVEE_light",
+            "DATA_PT_spot", "DATA_PT_camera_dof", "DATA_PT_camera_dof_aperture",
+            "DATA_PT_normals", "OBJECT_PT_motion_paths", "RENDER_PT_color_management"}
 
 
 def shared_panels():
-    """Panels of Blender that its other engines share, and panels of Cycles for lights and nodes."""
+    """Panels that all engines share, and panels of EEVEE for materials, worlds and lights."""
     for panel in bpy.types.Panel.__subclasses__():
         engines = getattr(panel, "COMPAT_ENGINES", None)
-        if engines is not None and "BLENDER_RENDER" in engines and panel.__name__ not in EXCLUDED:
+        if engines is None or panel.__name__ in EXCLUDED or issubclass(panel, OrielPanel):
+            continue
+        if "BLENDER_RENDER" in engines or panel.__name__ in INCLUDED:
             yield panel
 
 

@@ -4,6 +4,7 @@ import atexit
 import json
 import os
 import queue
+import shutil
 import signal
 import subprocess
 import threading
@@ -27,8 +28,11 @@ class RenderProcess:
         environment.pop("PYTHONPATH", None)
         self.messages = queue.Queue()
         self.errors = []
+        # The kernel ends the render if Blender crashes; the thread that starts it waits for it.
+        guard = shutil.which("setpriv")
+        start = [guard, "--pdeathsig", "KILL"] if guard else []
         self._process = subprocess.Popen(
-            [program, "render", *arguments, "--json"], cwd=folder, env=environment,
+            [*start, program, "render", *arguments, "--json"], cwd=folder, env=environment,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
             errors="replace", start_new_session=True)
         _running.add(self)

@@ -26,12 +26,12 @@ def find():
     for wish in (preference(), os.environ.get("ORIEL", "")):
         path = pathlib.Path(bpy.path.abspath(wish)).expanduser() if wish else None
         if path and path.is_file() and os.access(path, os.X_OK):
-            return str(path)
+            return str(path.resolve())
     found = shutil.which("oriel")
     for place in [found] if found else PLACES:
         path = pathlib.Path(place).expanduser()
         if path.is_file() and os.access(path, os.X_OK):
-            return str(path)
+            return str(path.resolve())
     raise ProgramMissing("Oriel is not installed: set the path of the program 'oriel' in the "
                          "preferences of the add-on")
 

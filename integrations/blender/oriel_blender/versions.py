@@ -47,10 +47,6 @@ def principled_is_layered(node):
     return "Coat Weight" in node.inputs
 
 
-def has_raw_view():
-    return bool(bpy.app.version)
-
-
 def light_factor(light):
     """Exposure of a light (from 4.5)."""
     return 2.0 ** getattr(light, "exposure", 0.0)
