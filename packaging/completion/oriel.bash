@@ -33,6 +33,7 @@ _oriel_endings() {
     render | ray | check | measure | explain) echo 'mi|mi.gz' ;;
     tonemap | denoise | recombine | falsecolor) echo 'exr' ;;
     diff) echo 'exr|hdr|png|jpg|tif' ;;
+    studio) echo 'mi|mi.gz|glb|gltf|obj|fbx|dae|ifc' ;;
     quick | convert) echo 'glb|gltf|obj|fbx|dae|ifc|mi' ;;
     profile) echo 'ies|IES|ldt|LDT' ;;
     shader-build) echo 'c|cpp|cc|cxx' ;;

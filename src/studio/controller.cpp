@@ -51,7 +51,7 @@ Controller::Controller(StudioSettings settings, StudioServices services)
       return;
     }
     if (!loop.read()) return announce_state();
-    start();
+    start(loop);
   });
 }
 
@@ -74,21 +74,18 @@ void Controller::connect(std::function<void(std::string)> send,
 
 /// Applies the edits of the journal to the scene that was just read, one by one: a file that was
 /// changed meanwhile may not take all of them.
-void Controller::start() {
-  session_->post([this](Loop& loop) {
-    std::vector<std::string> edits, journal;
-    if (journal_) journal = journal_->read();
-    for (const std::string& edit : journal) {
-      edits.push_back(edit);
-      try {
-        loop.set_edits(edits);
-      } catch (const EditError&) {
-        edits.pop_back();
-      }
+void Controller::start(Loop& loop) {
+  std::vector<std::string> edits;
+  for (const std::string& edit : journal_ ? journal_->read() : std::vector<std::string>()) {
+    edits.push_back(edit);
+    try {
+      loop.set_edits(edits);
+    } catch (const EditError&) {
+      edits.pop_back();
     }
-    if (!edits.empty()) history_.push(edits);
-    announce_state();
-  });
+  }
+  if (!edits.empty()) history_.push(edits);
+  announce_state();
 }
 
 void Controller::send(const json& message) {

@@ -84,7 +84,7 @@ class Controller final : public ServerHandler {
   void announce_state();
   void send_state(Loop& loop);
   void send_messages(Loop& loop);
-  void start();
+  void start(Loop& loop);
   json edited(Loop& loop);
   json try_edits(Loop& loop, std::vector<std::string> edits, const std::string& gesture);
 

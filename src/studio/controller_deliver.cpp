@@ -58,9 +58,10 @@ std::string content(const std::string& path) {
 
 /// The options of `oriel tonemap` that a client may give; all take values, none names a file.
 std::vector<std::string> tone_words(const std::string& text) {
-  constexpr std::array<std::string_view, 14> kOptions = {
-      "--iso",  "--shutter", "--f-number",   "--cm2",   "--whitepoint", "--burn",   "--crush",
-      "--view", "--gain",    "--saturation", "--gamma", "--look",       "--simple", "--vignetting"};
+  constexpr std::array<std::string_view, 18> kOptions = {
+      "--iso",    "--shutter",    "--f-number", "--cm2",         "--whitepoint", "--burn",
+      "--crush",  "--view",       "--gain",     "--saturation",  "--gamma",      "--pedestal",
+      "--simple", "--vignetting", "--knee",     "--compression", "--knee-curve", "--fov"};
   std::istringstream words(text);
   std::vector<std::string> result;
   for (std::string word; words >> word;) {

@@ -154,8 +154,10 @@ json Controller::relink(Loop& loop, const json& request) {
   for (const scene::Element& element : scene.elements()) {
     const auto* texture = std::get_if<scene::Texture>(&element);
     if (!texture || (texture->name != wanted && texture->file != wanted)) continue;
+    // Relative names start from the folder of the file that defines the texture.
+    const fs::path from = texture->directory.empty() ? "." : texture->directory;
     const std::string written =
-        real.lexically_relative(fs::weakly_canonical(fs::absolute(texture->directory), error))
+        real.lexically_relative(fs::weakly_canonical(fs::absolute(from, error), error))
             .generic_string();
     edits = interactive::with_edit(scene, std::move(edits), texture->name + ".file=" + written);
     found = true;

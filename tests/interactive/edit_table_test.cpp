@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
         EditCase{"ObjectTransform", "wall_inst.transform=1 0 0 0 0 1 0 0 0 0 1 0 .5 0 0 1",
                  kEffectWorld},
         EditCase{"ObjectVisible", "wall_inst.visible=off", kEffectWorld},
-        EditCase{"Depth", "opt.trace depth=1 1 1", kEffectWorld},
+        EditCase{"Depth", "opt.trace depth=0 0 0", kEffectWorld},
         EditCase{"Shadow", "opt.shadow=off", kEffectWorld}),
     [](const auto& info) { return info.param.name; });
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A client edits, measures, saves; the program's other commands give the same values.
+#include <half.h>
+
 #include <cmath>
 #include <memory>
 #include <thread>
@@ -54,6 +56,8 @@ const std::vector<std::string> kEdits = {"grey.diffuse=.7 .2 .1", "lamp.origin=1
 
 // acceptance: W2
 TEST_F(StudioSessionTest, EveryParameterOfAPickedMaterialCanBeEditedUndoneAndSaved) {
+  write("scene.mi", "shader \"tint\" \"mib_color_mix\" ( \"color_base\" .5 .5 .5 )\n" +
+                        small_scene() + "# a last comment\n");
   serve();
   auto socket = client();
   const json budget = socket->ask({{"type", "view"}, {"budget", {{"samples", 8}}}});
@@ -74,6 +78,7 @@ TEST_F(StudioSessionTest, EveryParameterOfAPickedMaterialCanBeEditedUndoneAndSav
                               : type == "scalar"  ? "0.5"
                               : type == "color"   ? "0.1 0.2 0.3"
                               : type == "vector"  ? "0 0 1"
+                              : type == "shader"  ? "=tint"
                                                   : "";
     if (value.empty()) continue;
     ++numbers;
@@ -200,19 +205,47 @@ TEST_F(StudioSessionTest, MeasuredValuesAreThoseOfTheProgram) {
   EXPECT_EQ(socket->strips.back()[6], 2) << "R32F";
 }
 
+/// The halves of one layer in the last frame of a client.
+std::vector<float> layer_of_last_frame(const TestSocket& socket, int layer) {
+  const std::uint32_t frame = TestSocket::word(socket.strips.back(), 28);
+  std::vector<float> values;
+  for (const std::string& s : socket.strips) {
+    if (TestSocket::word(s, 28) != frame || static_cast<unsigned char>(s[12]) != layer) continue;
+    for (std::size_t i = 32; i + 1 < s.size(); i += 2) {
+      half value;
+      value.setBits(static_cast<std::uint16_t>(static_cast<unsigned char>(s[i]) |
+                                               static_cast<unsigned char>(s[i + 1]) << 8));
+      values.push_back(value);
+    }
+  }
+  return values;
+}
+
 TEST_F(StudioSessionTest, LightLayersSumToTheBeauty) {
   serve();
   auto socket = client();
-  const json reply =
-      socket->ask({{"type", "view"}, {"light_groups", "auto"}, {"budget", {{"samples", 4}}}});
-  json state = socket->wait([](const json& m) {
+  socket->ask({{"type", "view"}, {"light_groups", "auto"}, {"budget", {{"samples", 4}}}});
+  const json state = socket->wait([](const json& m) {
     return m["type"] == "state" && m.contains("light_layers") && !m["light_layers"].empty();
   });
   EXPECT_EQ(state["light_layers"][0], "light_lamp_inst");
   const json layers = socket->ask({{"type", "view"}, {"layers", state["light_layers"]}});
-  converged(*socket, std::max(reply["epoch"].get<int>(), layers["epoch"].get<int>()));
-  const json exr = socket->ask({{"type", "deliver"}, {"kind", "exr"}});
-  EXPECT_EQ(exr["type"], "reply") << exr;
+  converged(*socket, layers["epoch"]);
+  socket->ask({{"type", "outline"}});
+  const std::vector<float> beauty = layer_of_last_frame(*socket, 0);
+  ASSERT_EQ(beauty.size(), 48u * 32u * 3u);
+  std::vector<float> sum(beauty.size());
+  for (std::size_t i = 0; i < state["light_layers"].size(); ++i) {
+    const std::vector<float> layer = layer_of_last_frame(*socket, static_cast<int>(i) + 1);
+    ASSERT_EQ(layer.size(), beauty.size());
+    for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += layer[j];
+  }
+  float brightest = 0;
+  for (std::size_t j = 0; j < sum.size(); ++j) {
+    EXPECT_NEAR(sum[j], beauty[j], 1e-6f + beauty[j] / 512);
+    brightest = std::max(brightest, beauty[j]);
+  }
+  EXPECT_GT(brightest, 0.01f);
 }
 
 TEST_F(StudioSessionTest, DaylightIsThatOfTheProgram) {
@@ -281,13 +314,48 @@ TEST_F(StudioSessionTest, UnsavedEditsAreThereInTheNextSession) {
 TEST_F(StudioSessionTest, FinalRendersPauseAndResume) {
   serve();
   auto socket = client();
+  const auto job_in = [&](const char* state) {
+    return socket->wait([&](const json& m) { return m["type"] == "job" && m["state"] == state; });
+  };
   const json started =
-      socket->ask({{"type", "job"}, {"action", "start"}, {"file", "final.exr"}, {"samples", 8}});
+      socket->ask({{"type", "job"}, {"action", "start"}, {"file", "final.exr"}, {"samples", 1024}});
   ASSERT_EQ(started["type"], "reply") << started;
-  const json done =
-      socket->wait([](const json& m) { return m["type"] == "job" && m["state"] != "running"; });
-  EXPECT_EQ(done["state"], "done") << done;
-  EXPECT_EQ(read_image(file("final.exr")).pixels, rendered("scene.mi", {}));
+  EXPECT_EQ(socket->ask({{"type", "job"}, {"action", "start"}, {"file", "b.exr"}})["code"], "busy");
+  socket->wait([](const json& m) { return m["type"] == "job" && m.contains("samples"); });
+  socket->ask({{"type", "job"}, {"action", "pause"}});
+  job_in("paused");
+  EXPECT_TRUE(std::filesystem::exists(file("final.exr.checkpoint")));
+  socket->ask({{"type", "job"}, {"action", "resume"}});
+  const json done = job_in("done");
+  EXPECT_EQ(done["done"], 1);
+  EXPECT_FALSE(std::filesystem::exists(file("final.exr.checkpoint")));
+  const std::vector<std::string> plain = {"render",    "scene.mi",  "-o",
+                                          "plain.exr", "--samples", "1024"};
+  EXPECT_EQ(run(plain).exit_code, 0);
+  EXPECT_EQ(read_image(file("final.exr")).pixels, read_image(file("plain.exr")).pixels);
+
+  socket->ask({{"type", "job"}, {"action", "start"}, {"file", "c.exr"}, {"samples", 100000}});
+  socket->ask({{"type", "job"}, {"action", "cancel"}});
+  job_in("cancelled");
+  EXPECT_FALSE(std::filesystem::exists(file("c.exr.checkpoint")));
+}
+
+TEST_F(StudioSessionTest, MissingTexturesAreRelinked) {
+  write("scene.mi", "color texture \"wood\" \"gone.png\"\n" + small_scene());
+  serve();
+  auto socket = client();
+  const json messages = socket->wait_for("messages");
+  ASSERT_EQ(messages["missing"].size(), 1u) << messages;
+  EXPECT_EQ(messages["missing"][0]["texture"], "wood");
+  std::filesystem::create_directories(file("textures"));
+  write("textures/wood.png", "pixels");
+  const json reply =
+      socket->ask({{"type", "relink"}, {"texture", "wood"}, {"file", "textures/wood.png"}});
+  EXPECT_EQ(reply["type"], "reply") << reply;
+  EXPECT_EQ(socket->wait_for("messages")["missing"].size(), 0u);
+  socket->ask({{"type", "save"}, {"mode", "mi"}});
+  EXPECT_TRUE(
+      text_of(file("scene.mi")).starts_with("color texture \"wood\" \"textures/wood.png\"\n"));
 }
 
 }  // namespace
