@@ -79,7 +79,8 @@ export function createLightsPanel(app) {
     shownLayer = display.layer;
     requestLayers();
   });
-  session.on("welcome", requestLayers);
+  // A new server process knows no layers of this page; the scene is read when the outline arrives.
+  session.on("outline", () => { if (display.neededLayers(session.state).length > 1) requestLayers(); });
   display.on("restored", build);
   session.on("outline", build);
   return element;

@@ -26,6 +26,7 @@ function helpText(p) {
   const lines = [p.doc ?? ""];
   if (p.default !== undefined && p.default !== null && typeof p.default !== "object") lines.push(`Default: ${valueText(p.default)}`);
   if (Array.isArray(p.default)) lines.push(`Default: ${valueText(p.default)}`);
+  if (p.unit) lines.push(`Unit: ${p.unit}`);
   if (p.form) lines.push(`Values: ${p.form}`);
   if (p.support && p.support !== "exact") lines.push(`Support: ${p.support}`);
   if (p.set) lines.push(p.set);

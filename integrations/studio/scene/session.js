@@ -116,7 +116,8 @@ export class Session extends Events {
       this.outline = await this.request("outline");
       this.emit("outline", this.outline);
     } catch (error) {
-      if (!(error instanceof RequestError && error.code === "offline")) this.emit("failed", error);
+      const expected = error instanceof RequestError && (error.code === "offline" || this.crash !== null);
+      if (!expected) this.emit("failed", error);
     }
   }
 
@@ -140,6 +141,7 @@ export class Session extends Events {
         if (m.status !== "crashed" && this.crash) {
           this.crash = null;
           this.emit("crashed", null);
+          void this.loadOutline();
         }
         this.emit("progress", m);
         break;

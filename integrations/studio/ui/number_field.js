@@ -23,6 +23,7 @@ import {icon} from "./icons.js";
  */
 
 const STEPS = 1000;
+const LONGEST_UNIT = 5;  // characters; longer ones are in the help text only
 
 /** Range of a slider for a value without declared limits. @param {number} value */
 export function guessedRange(value) {
@@ -87,7 +88,7 @@ export function numberField(o) {
   });
   show();
   const element = h("div", {class: "field", title: o.doc ?? ""}, h("label", {text: o.label, attributes: {for: id}}), slider,
-                    h("span", {class: "number"}, input, h("span", {class: "unit", text: o.unit ?? ""})),
+                    h("span", {class: "number"}, input, h("span", {class: "unit", text: (o.unit ?? "").length <= LONGEST_UNIT ? o.unit ?? "" : ""})),
                     noReset ? null : reset);
   return {
     element, input, slider, reset,

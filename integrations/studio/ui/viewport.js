@@ -101,7 +101,7 @@ export class Viewport {
     const lux = shown === "illuminance";
     /** @type {Look["show"]} */
     const show = d.falseColors || shown === "depth" || lux ? "false"
-        : shown === "normal" ? "direction" : shown === "albedo" ? "light" : "light";
+        : shown === "normal" ? "direction" : shown === "picture" ? "data" : "light";
     const unit = shown === "depth" || lux || shown === "luminance" ? 1 : state.unit_luminance;
     return {show, unit, tone: d.tone, scale: d.scale,
             weights: weights ?? d.mix.weights(frames.names, state.light_layers, shown)};

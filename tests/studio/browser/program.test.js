@@ -38,7 +38,7 @@ async function startProgram(scene) {
   const found = /^(http:\/\/127\.0\.0\.1:\d+\/)#token=(\w+)$/.exec(line);
   assert.ok(found, line);
   const ended = new Promise((resolve) => child.once("exit", resolve));
-  return {url: found[1], token: found[2], stop: async () => { const timer = setTimeout(() => child.kill("SIGKILL"), 20000); child.kill("SIGINT"); await ended; clearTimeout(timer); }, log: () => log};
+  return {url: found[1], token: found[2], pid: child.pid, stop: async () => { const timer = setTimeout(() => child.kill("SIGKILL"), 20000); child.kill("SIGINT"); await ended; clearTimeout(timer); }, log: () => log};
 }
 
 const converged = (page) => page.waitForFunction(() => {
@@ -194,5 +194,31 @@ test("open, edit, move the sun, measure, relight, save, open again: the same pic
     await browser.close();
     await program?.stop();
     if (existsSync(folder)) rmSync(folder, {recursive: true});
+  }
+});
+
+// acceptance: W6
+test("the renderer ends by a signal: the page shows it and continues with all edits", {skip: reasonToSkip(), timeout: 600000}, async () => {
+  const folder = mkdtempSync(join(tmpdir(), "oriel-studio-"));
+  cpSync(join(ROOT, SCENES.room.folder), folder, {recursive: true});
+  const browser = await openBrowser();
+  let program = null;
+  try {
+    program = await startProgram(join(folder, SCENES.room.file));
+    const {page} = await open(browser, program);
+    await page.evaluate((text) => window.__studio.app.session.edit(text), SCENES.room.gloss);
+    await page.waitForFunction(() => window.__studio.app.session.state.edits.length === 1, {timeout: 30000});
+    const renderer = readFileSync(`/proc/${program.pid}/task/${program.pid}/children`, "utf8").trim().split(" ").map(Number)[0];
+    process.kill(renderer, "SIGSEGV");
+    await page.waitForFunction(() => document.querySelector(".banner")?.textContent.includes("1 edit is kept"), {timeout: 60000});
+    await pressButton(page, ".banner", "Restart from saved edits");
+    await page.waitForFunction(() => document.querySelector(".banner").hidden, {timeout: 60000});
+    await page.waitForFunction((text) => window.__studio.app.session.state.edits.includes(text), {timeout: 60000}, SCENES.room.gloss);
+    await page.waitForFunction(() => window.__studio.samples >= 1 && window.__studio.epoch >= 0, {timeout: 60000});
+    assert.ok(new Set((await readCanvas(page)).pixels).size > 40);
+  } finally {
+    await browser.close();
+    await program?.stop();
+    rmSync(folder, {recursive: true});
   }
 });
