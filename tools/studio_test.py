@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The page of Oriel Studio: types, unit tests, and tests in headless Chromium.
 
-Requires node, npm and chromium (tools/packages.txt) and the npm packages of
+Requires node, npm and chromium (tools/packages-of-tests.txt) and the npm packages of
 tests/studio/package-lock.json, which are installed on first use. What is missing is named and its
 tests are skipped; exit code 77 if all are skipped.
 """
