@@ -156,7 +156,9 @@ int supervise(const StudioArguments& a, const studio::ServerSettings& settings) 
         std::fflush(nullptr);
         _exit(kExitFailed);
       }
-      std::exit(code);
+      // Without destructors of static objects: threads of libraries may still be running.
+      std::fflush(nullptr);
+      _exit(code);
     }
     server_process = child;
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, forward_signal);
