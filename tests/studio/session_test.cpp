@@ -352,7 +352,7 @@ TEST_F(StudioSessionTest, MissingTexturesAreRelinked) {
   const json reply =
       socket->ask({{"type", "relink"}, {"texture", "wood"}, {"file", "textures/wood.png"}});
   EXPECT_EQ(reply["type"], "reply") << reply;
-  EXPECT_EQ(socket->wait_for("messages")["missing"].size(), 0u);
+  socket->wait([](const json& m) { return m["type"] == "messages" && m["missing"].empty(); });
   socket->ask({{"type", "save"}, {"mode", "mi"}});
   EXPECT_TRUE(
       text_of(file("scene.mi")).starts_with("color texture \"wood\" \"textures/wood.png\"\n"));

@@ -9,6 +9,7 @@
 #include <boost/asio.hpp>
 #include <boost/beast.hpp>
 #include <cstdlib>
+#include <deque>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -53,22 +54,15 @@ class TestSocket {
     binary = stream_.got_binary();
     return beast::buffers_to_string(buffer.data());
   }
-  /// The next text message that `fits`; pixels are acknowledged and counted.
+  /// The next text message that `fits`, from those since the last request on.
   template <class F>
   json wait(const F& fits) {
-    for (;;) {
-      bool binary = false;
-      const std::string message = read(binary);
-      if (binary) {
-        strips.push_back(message);
-        const auto* bytes = reinterpret_cast<const unsigned char*>(message.data());
-        if (acknowledges && (bytes[7] & 1) != 0)
-          send({{"type", "ack"}, {"frame", word(message, 28)}});
-        continue;
-      }
-      json text = json::parse(message);
+    while (!before_answer_.empty()) {
+      const json text = before_answer_.front();
+      before_answer_.pop_front();
       if (fits(text)) return text;
     }
+    return next(fits, [](const json&) {});
   }
   json wait_for(const std::string& type) {
     return wait([&](const json& m) { return m["type"] == type; });
@@ -76,8 +70,10 @@ class TestSocket {
   /// Sends a request and returns its answer.
   json ask(json request) {
     request["id"] = ++id_;
+    before_answer_.clear();
     send(request);
-    return wait([&](const json& m) { return m.contains("id") && m["id"] == id_; });
+    return next([&](const json& m) { return m.contains("id") && m["id"] == id_; },
+                [&](const json& m) { before_answer_.push_back(m); });
   }
   /// Reads until the server closes; returns its code.
   std::uint16_t close_code() {
@@ -98,9 +94,29 @@ class TestSocket {
   bool acknowledges = true;
 
  private:
+  /// As wait(), of messages to come; calls skip() with others. Pixels are acknowledged and counted.
+  template <class F, class Skip>
+  json next(const F& fits, const Skip& skip) {
+    for (;;) {
+      bool binary = false;
+      const std::string message = read(binary);
+      if (binary) {
+        strips.push_back(message);
+        const auto* bytes = reinterpret_cast<const unsigned char*>(message.data());
+        if (acknowledges && (bytes[7] & 1) != 0)
+          send({{"type", "ack"}, {"frame", word(message, 28)}});
+        continue;
+      }
+      json text = json::parse(message);
+      if (fits(text)) return text;
+      skip(text);
+    }
+  }
+
   net::io_context io_;
   beast::websocket::stream<net::ip::tcp::socket> stream_;
   int id_ = 0;
+  std::deque<json> before_answer_;  ///< messages between the last request and its answer
 };
 
 /// The program `oriel studio` in a temporary folder.
