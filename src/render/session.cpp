@@ -20,8 +20,9 @@ namespace {
 /// Intervals of progress reports and of preview pictures before the first pass.
 constexpr double kSecondsBetweenPassReports = 0.2, kSecondsBetweenPreviews = 10;
 
-/// Samples per pixel that are expected at most: noise targets often end a render early.
-constexpr std::uint32_t kUsualSamples = 128;
+/// Samples per pixel that are expected if a noise target or the time ends the render, and the
+/// largest maximum that is taken for what the pixels will get.
+constexpr std::uint32_t kUsualSamples = 64, kMostExpected = 1024;
 
 /// The requested window, clipped to the picture; else that of the camera.
 Window window_of(const World& world, const std::optional<Window>& asked) {
@@ -200,7 +201,9 @@ IntegratorPreparation RenderSession::preparation(const ProgressMonitor& monitor,
                                                  std::function<void()> after_pass) {
   const Window picture = window_of(world_, std::nullopt);
   const double pixels = double(picture.width()) * double(picture.height());
-  const double samples = std::min(budget_.max_samples, kUsualSamples);
+  // The time limit does not count: a render that continues may have another one.
+  const bool fixed = !(budget_.noise > 0) && budget_.max_samples <= kMostExpected;
+  const double samples = fixed ? budget_.max_samples : kUsualSamples;
   return {maps_window_, picture, pixels * samples,      seed_, map_files_,
           diagnostics_, monitor, std::move(after_pass), rays_};
 }
