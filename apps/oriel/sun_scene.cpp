@@ -9,42 +9,16 @@
 
 #include "command.h"
 #include "scene/hierarchy.h"
+#include "scene/sun_shaders.h"
 
 namespace oriel::app {
 namespace {
 
-constexpr const char* kSun = "mia_physicalsun";
-/// References from shader to shader that are followed; they may run in a circle.
-constexpr int kMaxReferences = 16;
-
-bool is_sky(const std::string& type) { return type == "mia_physicalsky" || type == "mia_ciesky"; }
-
-bool y_is_up(const scene::ShaderUse& use) {
-  for (const scene::Argument& argument : use.arguments)
-    if (argument.name == "y_is_up")
-      return argument.value.kind == scene::Value::Kind::Numbers
-                 ? !argument.value.numbers.empty() && argument.value.numbers[0] != 0
-                 : argument.value.boolean;
-  return false;
-}
-
-/// The call of a sun in a light's list; null: none.
-const scene::ShaderUse* sun_of(const scene::Scene& scene, const scene::ShaderList& list,
-                               int depth = 0) {
-  for (const scene::ShaderUse& use : list) {
-    if (use.type == kSun) return &use;
-    const auto* named = scene.get<scene::ShaderElement>(use.reference);
-    if (!named || depth >= kMaxReferences) continue;
-    if (const scene::ShaderUse* found = sun_of(scene, named->functions, depth + 1)) return found;
-  }
-  return nullptr;
-}
-
 int turn_skies(scene::ShaderList& list, const sky::SolarPosition& sun, double north) {
   int turned = 0;
   for (scene::ShaderUse& use : list) {
-    if (!is_sky(use.type)) continue;
-    const Vec3 d = sky::direction_to_sun(sun.azimuth, sun.elevation, north, y_is_up(use));
+    if (!scene::is_sky_shader(use.type)) continue;
+    const Vec3 d = sky::direction_to_sun(sun.azimuth, sun.elevation, north, scene::is_y_up(use));
     scene::Value value;
     value.kind = scene::Value::Kind::Numbers;
     value.numbers = {d.x, d.y, d.z};
@@ -113,9 +87,10 @@ void turn_sun(scene::Scene& scene, const std::string& root, const sky::SolarPosi
   std::map<std::string, Vec3> directions;
   for (const scene::Leaf& leaf : scene::flatten(scene, root, ignored)) {
     if (leaf.kind != scene::LeafKind::Light) continue;
-    const scene::ShaderUse* use = sun_of(scene, leaf.light()->shaders);
+    const scene::ShaderUse* use = scene::find_sun(scene, leaf.light()->shaders);
     if (!use) continue;
-    const Vec3 to_sun = sky::direction_to_sun(sun.azimuth, sun.elevation, north, y_is_up(*use));
+    const Vec3 to_sun =
+        sky::direction_to_sun(sun.azimuth, sun.elevation, north, scene::is_y_up(*use));
     const Vec3 local = normalize(transform_vector(-to_sun, leaf.world_to_local));
     const auto [known, added] = directions.try_emplace(leaf.light()->name, local);
     if (!added && length(known->second - local) > 1e-4f)

@@ -6,43 +6,16 @@
 #include <set>
 
 #include "scene/hierarchy.h"
+#include "scene/sun_shaders.h"
 
 namespace oriel::interactive {
 namespace {
-
-constexpr const char* kSunShader = "mia_physicalsun";
-
-bool is_sky_shader(const std::string& type) {
-  return type == "mia_physicalsky" || type == "mia_ciesky";
-}
-
-bool has_y_up(const scene::ShaderUse& use) {
-  for (const scene::Argument& argument : use.arguments)
-    if (argument.name == "y_is_up")
-      return argument.value.kind == scene::Value::Kind::Numbers
-                 ? !argument.value.numbers.empty() && argument.value.numbers[0] != 0
-                 : argument.value.boolean;
-  return false;
-}
-
-/// The call of a sun in a list; named shaders are followed. Null: none.
-const scene::ShaderUse* find_sun(const scene::Scene& scene, const scene::ShaderList& list,
-                                 int depth = 0) {
-  constexpr int kMaxReferences = 16;  // they may refer to each other in a circle
-  for (const scene::ShaderUse& use : list) {
-    if (use.type == kSunShader) return &use;
-    const auto* named = scene.get<scene::ShaderElement>(use.reference);
-    if (!named || depth >= kMaxReferences) continue;
-    if (const scene::ShaderUse* found = find_sun(scene, named->functions, depth + 1)) return found;
-  }
-  return nullptr;
-}
 
 std::string direction_text(const Vec3& d) { return fmt::format("{} {} {}", d.x, d.y, d.z); }
 
 const scene::ShaderUse* find_sky(const scene::ShaderList& list) {
   for (const scene::ShaderUse& use : list)
-    if (is_sky_shader(use.type)) return &use;
+    if (scene::is_sky_shader(use.type)) return &use;
   return nullptr;
 }
 
@@ -67,10 +40,11 @@ std::vector<std::string> sun_edits(const scene::Scene& scene, const std::string&
   std::set<std::string> lights;
   for (const scene::Leaf& leaf : scene::flatten(scene, root, reported)) {
     if (leaf.kind != scene::LeafKind::Light || lights.contains(leaf.light()->name)) continue;
-    const scene::ShaderUse* use = find_sun(scene, leaf.light()->shaders);
+    const scene::ShaderUse* use = scene::find_sun(scene, leaf.light()->shaders);
     if (!use) continue;
     lights.insert(leaf.light()->name);
-    const Vec3 to_sun = sky::direction_to_sun(sun.azimuth, sun.elevation, north, has_y_up(*use));
+    const Vec3 to_sun =
+        sky::direction_to_sun(sun.azimuth, sun.elevation, north, scene::is_y_up(*use));
     const Vec3 local = normalize(transform_vector(-to_sun, leaf.world_to_local));
     edits.push_back(leaf.light()->name + ".direction=" + direction_text(local));
     add_haze(leaf.light()->name);
@@ -78,7 +52,8 @@ std::vector<std::string> sun_edits(const scene::Scene& scene, const std::string&
   for (const scene::Element& element : scene.elements()) {
     const scene::ShaderUse* use = sky_of(element);
     if (!use) continue;
-    const Vec3 to_sun = sky::direction_to_sun(sun.azimuth, sun.elevation, north, has_y_up(*use));
+    const Vec3 to_sun =
+        sky::direction_to_sun(sun.azimuth, sun.elevation, north, scene::is_y_up(*use));
     const std::string& name = scene::name_of(element);
     edits.push_back(name + ".sun_direction=" + direction_text(to_sun));
     if (use->type == "mia_physicalsky") add_haze(name);
