@@ -26,8 +26,9 @@ EditEffects effects_of(const scene::Scene& scene, const std::string& changed,
       std::find(kCameraStatements.begin(), kCameraStatements.end(), edit.parameter) !=
           kCameraStatements.end())
     return {kEffectCamera, {}};
-  if (scene.get<scene::Material>(changed) && !edit.value.starts_with('='))
-    return {kEffectMaterials, {changed}};
+  const bool has_shaders =
+      scene.get<scene::Material>(changed) || scene.get<scene::ShaderElement>(changed);
+  if (has_shaders && !edit.value.starts_with('=')) return {kEffectMaterials, {changed}};
   return {kEffectWorld, {}};
 }
 

@@ -15,7 +15,7 @@ enum EffectBits : std::uint8_t {
   kEffectNone = 0,
   kEffectFilm = 1u << 0,       ///< window, layers, budget: a new session, nothing of the world
   kEffectCamera = 1u << 1,     ///< placement and film of the camera
-  kEffectMaterials = 1u << 2,  ///< shaders of the materials in EditEffects::materials
+  kEffectMaterials = 1u << 2,  ///< shaders of materials that refer to EditEffects::materials
   /// everything but meshes: shaders, lights, sky, instances, options. Meshes whose elements did not
   /// change are reused (GeometryCache).
   kEffectWorld = 1u << 3,
@@ -24,7 +24,7 @@ enum EffectBits : std::uint8_t {
 /// The effects of edits.
 struct EditEffects {
   std::uint8_t bits = kEffectNone;
-  std::set<std::string> materials;  ///< elements to bind again
+  std::set<std::string> materials;  ///< changed materials and named shaders
 
   EditEffects& operator|=(const EditEffects& o) {
     bits |= o.bits;
@@ -36,9 +36,9 @@ struct EditEffects {
 
 /// The effects of one edit. The only place that decides them.
 ///
-/// Model:   a parameter of a material's own shaders with a constant value affects that material
-///          alone; what else depends on it (emission, opacity, displacement) is compared when it is
-///          bound again (PreparedScene::update). Camera statements and transforms of instances of
+/// Model:   a constant value of a parameter of a material or a named shader affects materials; what
+///          else depends on it (lights, emission, opacity, displacement) is found when they are
+///          bound again (bind_materials_again). Camera statements and transforms of instances of
 ///          cameras affect the camera. All other edits affect the world.
 /// Inputs:  changed: the element that the edit changed, see apply_edit().
 /// Checked: EditTable.* in tests/interactive

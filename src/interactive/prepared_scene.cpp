@@ -56,6 +56,7 @@ PrepareOptions PreparedScene::prepare_options(const ViewSettings& view, int widt
 }
 
 bool PreparedScene::prepare_all(const ViewSettings& view, int width, int height) {
+  ++preparations_;
   close_world();
   forget_frame_inputs();
   diagnostics_.forget_after(reading_diagnostics_);
@@ -86,7 +87,9 @@ void PreparedScene::apply_look(const ViewSettings& view) {
 bool PreparedScene::update(const EditEffects& effects, const ViewSettings& view, int width,
                            int height) {
   if (!scene_) return false;
-  const bool all = !world_ || effects.has(kEffectWorld) || effects.has(kEffectMaterials);
+  const bool all = !world_ || effects.has(kEffectWorld) ||
+                   (effects.has(kEffectMaterials) &&
+                    !bind_materials_again(*scene_, effects.materials, host_->registry(), *world_));
   const auto camera_alone = [&] {
     return place_camera_again(*scene_, command(), prepare_options(view, width, height), *world_,
                               diagnostics_);

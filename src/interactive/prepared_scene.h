@@ -40,8 +40,8 @@ struct SceneSource {
 /// A scene and its world.
 ///
 /// Model:   update() prepares as little as the effects allow: nothing of the world for the film,
-///          the camera alone, else everything but unchanged meshes. The world is always equal to
-///          that of a scene that was read and edited afresh.
+///          the camera alone, the shaders of materials, else everything but unchanged meshes. The
+///          world is always equal to that of a scene that was read and edited afresh.
 /// Checked: EditTable.* in tests/interactive
 class PreparedScene {
  public:
@@ -68,6 +68,8 @@ class PreparedScene {
   const World* world() const { return world_.get(); }
   const Registry& registry() const;
   const SceneSource& source() const { return source_; }
+  /// How often everything but meshes was prepared.
+  std::size_t preparations() const { return preparations_; }
   const UnitLuminance& unit() const { return unit_; }
   Diagnostics& diagnostics() { return diagnostics_; }
   /// Output shaders of the camera.
@@ -89,6 +91,7 @@ class PreparedScene {
   GeometryCache cache_;
   std::unique_ptr<World> world_;
   std::size_t reading_diagnostics_ = 0;  ///< number of messages of the reader
+  std::size_t preparations_ = 0;
   NodeList outputs_;
   UnitLuminance unit_;
 };

@@ -16,12 +16,6 @@ namespace {
 /// Triangles that are probed of each instance.
 constexpr std::uint32_t kTrianglesProbed = 16;
 
-bool may_emit(const Material& material) {
-  return std::any_of(material.surface.begin(), material.surface.end(), [](const ShaderNode* node) {
-    return !node->spec().material.may_emit || node->spec().material.may_emit(*node);
-  });
-}
-
 /// A tracer of an empty scene; records whether the shader asks for light.
 class EmptyTracer final : public Tracer {
  public:
@@ -54,6 +48,12 @@ class EmptyTracer final : public Tracer {
 };
 
 }  // namespace
+
+bool may_emit(const Material& material) {
+  return std::any_of(material.surface.begin(), material.surface.end(), [](const ShaderNode* node) {
+    return !node->spec().material.may_emit || node->spec().material.may_emit(*node);
+  });
+}
 
 TriangleCorners corners_of(const World& world, std::uint32_t instance, std::uint32_t primitive,
                            float time) {

@@ -37,6 +37,9 @@ struct SurfaceEmission {
 };
 SurfaceEmission emission_at(const Material& material, ShadingPoint& point);
 
+/// Whether the surface shaders can emit light with their parameters.
+bool may_emit(const Material& material);
+
 enum class EmissionKind : std::uint8_t { None, Source, OfLights };
 /// How materials emit, by index: probed at up to kEmissionProbes points of surfaces that have the
 /// material, if its shaders may emit.

@@ -128,8 +128,8 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   world->user_buffers = user_buffers(world->options, *camera);
   const TexturesAhead textures(scene, used_textures(scene, *camera, leaves), world->texture_system,
                                world->options.gamma);
-  const LightNames light_names = place_lights(leaves, *world, diagnostics);
-  Binder binder(scene, registry, *world, light_names, diagnostics);
+  world->light_names = place_lights(leaves, *world, diagnostics);
+  Binder binder(scene, registry, *world, world->light_names, diagnostics);
   bind_lights(leaves, binder, *world, diagnostics);
   // The environment is bound before the materials; it does not depend on them.
   world->environment = binder.bind(camera->environment);
@@ -141,8 +141,8 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
     bind_state_shaders(*block, binder, *world, diagnostics);
   if (world->options.lens) bind_lens(*camera, binder, *world, diagnostics);
   if (world->options.volume) bind_volume(*camera, binder, *world, diagnostics);
-  place_geometry(scene, leaves, light_names, command.options, binder, options, *world, diagnostics,
-                 report);
+  place_geometry(scene, leaves, world->light_names, command.options, binder, options, *world,
+                 diagnostics, report);
   if (!has_buffer_writers(*world)) world->user_buffers.clear();
   open_portals(*world, environment.table().detailed());
   const std::vector<EmissionKind> emissive = emissive_materials(*world);

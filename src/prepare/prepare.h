@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <set>
+#include <string>
 
 #include "base/diagnostic.h"
 #include "prepare/geometry_cache.h"
@@ -53,5 +55,17 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
 /// Checked: EditTable.* in tests/interactive
 bool place_camera_again(const scene::Scene& scene, const scene::RenderCommand& command,
                         const PrepareOptions& options, World& world, Diagnostics& diagnostics);
+
+/// Binds materials of a prepared world again, after a change of parameters of materials or of named
+/// shaders.
+///
+/// Inputs:  changed: names of those elements.
+/// Returns: false if more than the shading of materials depends on the change, or might: other
+///          elements refer to it, a material emits or transmits light or displaces its surface, the
+///          world has shaders of users, or a message was reported. The world has then to be
+///          prepared again.
+/// Checked: EditTable.* in tests/interactive
+bool bind_materials_again(const scene::Scene& scene, const std::set<std::string>& changed,
+                          const Registry& registry, World& world);
 
 }  // namespace oriel

@@ -20,41 +20,12 @@ class MaterialTable {
   int find(const std::string& name, SourceLocation where) {
     const auto [entry, is_new] =
         known_.try_emplace(name, static_cast<int>(world_.materials.size()));
-    if (is_new) world_.materials.push_back(bind(name, where));
+    if (is_new)
+      world_.materials.push_back(bind_material(scene_, name, where, binder_, diagnostics_));
     return entry->second;
   }
 
  private:
-  Material bind(const std::string& name, SourceLocation where) {
-    if (name.empty()) return standard(name);
-    if (const auto* element = scene_.get<scene::Material>(name))
-      return binder_.bind_material(*element);
-    // An instance's material list may name a shader: it is used as surface and shadow shader.
-    if (scene_.get<scene::ShaderElement>(name)) {
-      scene::Material made;
-      made.name = name;
-      made.shaders.push_back({.reference = name, .type = {}, .arguments = {}, .where = where});
-      made.slots.push_back({"shadow", made.shaders});
-      return binder_.bind_material(made);
-    }
-    diagnostics_.warning("OR-RN-030", where, fmt::format("there is no material \"{}\"", name),
-                         "a grey one is used");
-    return standard(name);
-  }
-  /// Default material of geometry without one: mid grey.
-  Material standard(const std::string& name) {
-    scene::Material grey;
-    grey.name = name;
-    scene::Value colour;
-    colour.kind = scene::Value::Kind::Numbers;
-    colour.numbers = {0.5, 0.5, 0.5};
-    grey.shaders.push_back({.reference = {},
-                            .type = "mib_illum_lambert",
-                            .arguments = {{"diffuse", colour, {}}},
-                            .where = {}});
-    return binder_.bind_material(grey);
-  }
-
   const scene::Scene& scene_;
   Binder& binder_;
   World& world_;

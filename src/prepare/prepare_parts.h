@@ -26,6 +26,11 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
                   const std::string& name, const PrepareOptions& options, World& world,
                   const scene::Camera*& camera, Diagnostics& diagnostics);
 
+/// The material of a name in an instance or an object: an element, or a shader that is used as one;
+/// grey if there is neither, which is reported.
+Material bind_material(const scene::Scene& scene, const std::string& name, SourceLocation where,
+                       Binder& binder, Diagnostics& diagnostics);
+
 /// Creates meshes, instances and their materials. options_name: the options element of the picture.
 void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
                     const LightNames& lights, const std::string& options_name, Binder& binder,

@@ -80,6 +80,8 @@ struct World {
   std::vector<InstanceData> instances;
   std::vector<Material> materials;
   std::vector<Light> lights;
+  /// Indices into `lights` by the names of light instances and of groups of them.
+  std::unordered_map<std::string, std::vector<int>> light_names;
   LightLayers light_layers;         ///< AOVs per group of lights
   bool has_tinted_portals = false;  ///< some portal attenuates the view through it
   bool has_area_lights = false;     ///< some light has a shape that rays can hit

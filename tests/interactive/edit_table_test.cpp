@@ -15,7 +15,35 @@ struct EditCase {
   bool changes = true;  ///< the picture
 };
 
-class EditTable : public LoopTest, public ::testing::WithParamInterface<EditCase> {};
+/// The editable scene with a wall whose shader has a name, and a shader of a light and a material.
+class EditTableScene : public LoopTest {
+ protected:
+  void SetUp() override {
+    std::string scene = editable_scene();
+    const auto insert = [&](const std::string& before, const std::string& text) {
+      scene.insert(scene.find(before), text);
+    };
+    insert(
+        "light \"lamp\"",
+        "shader \"tone\" \"mib_blackbody\" ( \"temperature\" 4000, \"intensity\" 1 )\n"
+        "light \"second\" \"mib_light_point\" ( \"color\" = \"tone\" ) origin 1 -2 2 end light\n"
+        "instance \"second_inst\" \"second\" end instance\n"
+        "shader \"paint\" \"mia_material_x\" ( \"diffuse\" .6 .2 .2, \"reflectivity\" 0 )\n"
+        "material \"side_mtl\" = \"paint\" end material\n"
+        "material \"toned_mtl\" \"mib_illum_lambert\" ( \"diffuse\" = \"tone\" ) end material\n");
+    insert("camera \"cam\"",
+           "object \"side\" visible shadow trace group 1 -1 0 1 1 0 1 1 2 1 -1 2 v 0 v 1 v 2 v 3 "
+           "p \"side_mtl\" 0 1 2 3 end group end object\n"
+           "object \"step\" visible shadow trace group -1 0 .5 0 0 .5 0 1 .5 -1 1 .5 v 0 v 1 v 2 "
+           "v 3 p \"toned_mtl\" 0 1 2 3 end group end object\n"
+           "instance \"side_inst\" \"side\" end instance\n"
+           "instance \"step_inst\" \"step\" end instance\n");
+    insert("\"cam_inst\" end instgroup", "\"second_inst\" \"side_inst\" \"step_inst\" ");
+    write("scene.mi", scene);
+  }
+};
+
+class EditTable : public EditTableScene, public ::testing::WithParamInterface<EditCase> {};
 
 using std::vector;
 
@@ -61,6 +89,10 @@ INSTANTIATE_TEST_SUITE_P(
         EditCase{"Gloss", "floor_mtl.refl_gloss=.4", kEffectMaterials},
         EditCase{"Emission", "box_mtl.ambience=1 1 1", kEffectMaterials, false},
         EditCase{"CutOut", "floor_mtl.cutout_opacity=.5", kEffectMaterials},
+        EditCase{"NamedShader", "paint.diffuse=.1 .1 .9", kEffectMaterials},
+        EditCase{"SharedShader", "tone.temperature=2000", kEffectMaterials},
+        EditCase{"Glow", "floor_mtl.additional_color=.3 .2 .1", kEffectMaterials},
+        EditCase{"Glass", "paint.transparency=.7", kEffectMaterials},
         EditCase{"LightColour", "lamp.color=1 40 3", kEffectWorld},
         EditCase{"LightOrigin", "lamp.origin=1 0 2", kEffectWorld},
         EditCase{"Focal", "cam.focal=50", kEffectCamera},
@@ -75,6 +107,27 @@ INSTANTIATE_TEST_SUITE_P(
         EditCase{"Depth", "opt.trace depth=0 0 0", kEffectWorld},
         EditCase{"Shadow", "opt.shadow=off", kEffectWorld}),
     [](const auto& info) { return info.param.name; });
+
+class EditCosts : public EditTableScene {};
+
+TEST_F(EditCosts, ColoursOfOpaqueMaterialsPrepareNothingElse) {
+  RenderLoop loop(source(), {}, {});
+  loop.set_view(small_view());
+  ASSERT_TRUE(loop.read());
+  finish(loop);
+  const auto preparations_of = [&](const char* edit) {
+    const std::size_t before = loop.scene().preparations();
+    loop.set_edits({edit});
+    finish(loop);
+    return loop.scene().preparations() - before;
+  };
+  EXPECT_EQ(preparations_of("floor_mtl.diffuse=.1 .6 .2"), 0u);
+  EXPECT_EQ(preparations_of("floor_mtl.refl_gloss=.4"), 0u);
+  EXPECT_EQ(preparations_of("paint.diffuse=.1 .1 .9"), 0u);
+  EXPECT_EQ(preparations_of("tone.temperature=2000"), 1u) << "a light uses it";
+  EXPECT_EQ(preparations_of("floor_mtl.additional_color=.3 .2 .1"), 1u) << "it becomes a light";
+  EXPECT_EQ(preparations_of("paint.transparency=.7"), 1u) << "shadows pass it";
+}
 
 class RenderLoopTest : public LoopTest {};
 
