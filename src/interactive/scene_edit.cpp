@@ -158,6 +158,7 @@ std::string apply_edit(scene::Scene& scene, const std::string& text, const Regis
     case StatementEdit::Done:
       return edit.element;
     case StatementEdit::NoStatements:
+      if (!lists_of(element).empty()) break;  // it has parameters
       throw EditError(fmt::format(
           "--set: \"{}\" is not a shader, material, light, camera, instance, texture or options "
           "block",
