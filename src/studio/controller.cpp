@@ -15,7 +15,6 @@
 namespace oriel::studio {
 
 using interactive::EditError;
-using interactive::LoopState;
 using interactive::LoopStatus;
 
 const std::map<std::string, Controller::Handler>& Controller::handlers() {

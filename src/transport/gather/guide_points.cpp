@@ -43,7 +43,8 @@ GuidePoint on_square(const World& world, const GatherPoint& at, const GatherRays
       light *= environment_share(world, at, sample.direction);
     if (!std::isfinite(light)) light = 0;
     for (int k = 0; k < side * side; ++k) {
-      const Vec2 u((float(k % side) + 0.5f) / float(side), (float(k / side) + 0.5f) / float(side));
+      const int row = k / side, column = k % side;
+      const Vec2 u((float(column) + 0.5f) / float(side), (float(row) + 0.5f) / float(side));
       const Vec3 w = rays.hemisphere.direction(i, u);
       const std::size_t cell =
           guide_cell(sampling::square_of_disc(Vec2(dot(w, frame.s), dot(w, frame.t))));
