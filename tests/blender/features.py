@@ -421,11 +421,5 @@ def registration():
     support.check(set(dir(bpy.types)) == before, "registered again")
 
 
-TESTS = (passes, denoised, portal, views, geometry, normals, hair, motion, frames, failures,
-         cancelled, nodes, speed, registration)
-chosen = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
-for test in TESTS:
-    if not chosen or test.__name__ in chosen:
-        print(f"-- {test.__name__}", flush=True)
-        test()
-print("all tests passed")
+support.run((passes, denoised, portal, views, geometry, normals, hair, motion, frames, failures,
+             cancelled, nodes, speed, registration))

@@ -25,6 +25,16 @@ def check(condition, text):
     PASSED.append(text)
 
 
+def run(tests):
+    """Runs the tests, or those that the arguments after -- name."""
+    chosen = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
+    for test in tests:
+        if not chosen or test.__name__ in chosen:
+            print(f"-- {test.__name__}", flush=True)
+            test()
+    print("all tests passed")
+
+
 def empty_scene(width=64, height=64):
     """Removes everything; returns the scene with a raw view transform."""
     bpy.ops.wm.read_factory_settings(use_empty=True)

@@ -221,10 +221,4 @@ def sky():
     support.check(30 < total < 200, f"irradiance {total:.1f} W/m2")
 
 
-TESTS = (pictures, textures, depth_of_field, transparent_film, sky)
-chosen = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
-for test in TESTS:
-    if not chosen or test.__name__ in chosen:
-        print(f"-- {test.__name__}", flush=True)
-        test()
-print("all tests passed")
+support.run((pictures, textures, depth_of_field, transparent_film, sky))
