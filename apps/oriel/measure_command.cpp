@@ -298,7 +298,7 @@ void load(const MeasureArguments& a, LoadedScene& loaded, Diagnostics& diagnosti
   std::unique_ptr<World>& world = loaded.world;
   world = prepare(scene, command, host.registry(), options, diagnostics, report);
   if (!world) return;
-  world->options.indirect = scene::IndirectMethod::Path;
+  world->options.choose_paths_alone();
   if (a.unit_luminance) {
     unit = {*a.unit_luminance, "--unit-luminance"};
     return;

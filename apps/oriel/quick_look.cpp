@@ -34,7 +34,7 @@ bool quick_look(scene::Scene& scene, const sdk::TrustedFolders& trusted, const Q
   const auto world =
       prepare(scene, command, host.registry(), small(*camera, look.width), unheard, report);
   if (!world) return false;
-  world->options.indirect = scene::IndirectMethod::Path;
+  world->options.choose_paths_alone();
   RenderSession session(*world, {.budget = {.samples = look.samples, .seconds = look.seconds}});
   session.run();
   use({session, *world, *camera, host});

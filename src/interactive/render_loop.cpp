@@ -202,7 +202,7 @@ bool RenderLoop::run_preview(const std::atomic<bool>& cancel) {
   const auto [w, h] = reduced_size(width, height, next_divider_);
   scene_.resize_camera(view_, w, h);
   // Caches of indirect light take longer than such a picture.
-  const auto method = std::exchange(world.options.indirect, scene::IndirectMethod::Path);
+  const auto chosen = world.options.choose_paths_alone();
   SessionSettings settings = session_settings(next_divider_);
   settings.budget = {.samples = 1};
   bool done = false;
@@ -212,7 +212,7 @@ bool RenderLoop::run_preview(const std::atomic<bool>& cancel) {
     done = session.run({}, &cancel) != StopReason::Cancelled;
     if (done) copy_picture(session, next_divider_, true);
   }
-  world.options.indirect = method;
+  world.options.choose(chosen);
   const auto full = requested_size();
   scene_.resize_camera(view_, full[0], full[1]);
   return done;

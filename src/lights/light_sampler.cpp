@@ -120,16 +120,22 @@ bool LightSampler::needs_random(const LitVertex& at) const {
                      [](const Set& set) { return set.size() > set.sample_all; });
 }
 
-float LightSampler::Set::expected_samples(const LitPoint& lit, int light) const {
+float LightSampler::Set::expected_samples(const LitPoint& lit, const LightChances& chances,
+                                          int light) const {
   if (size() <= sample_all) return 1;
+  if (chances) {
+    constexpr float kTree = LightChances::kUnlearned;
+    return kTree * tree.probability(lit, light) +
+           (1 - kTree) * chances.probability[place_of(light)];
+  }
   return tree.empty() ? 1 / static_cast<float>(size()) : tree.probability(lit, light);
 }
 
 float LightSampler::expected_samples(const LitVertex& at, int light) const {
   if (at.empty() || !is_lit_by(at, light)) return 0;
   if (at.count_ >= 0) return at.count_ > kSampleAll ? 1 / static_cast<float>(at.count_) : 1.0f;
-  return sets_[set_of(world_.lights[static_cast<std::size_t>(light)])].expected_samples(at.lit_,
-                                                                                        light);
+  const std::size_t set = set_of(world_.lights[static_cast<std::size_t>(light)]);
+  return sets_[set].expected_samples(at.lit_, chances_of(at, set), light);
 }
 
 float LightSampler::plain_samples(bool after_diffuse) const {

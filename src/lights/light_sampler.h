@@ -7,9 +7,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lights/environment_light.h"
+#include "lights/light_chances.h"
 #include "lights/light_tree.h"
 #include "lights/mesh_lights.h"
 #include "lights/openings.h"
@@ -47,6 +49,8 @@ class LitVertex {
 
   /// Expected number of samples of the environment, at most 1.
   float environment_samples = 0;
+  /// Learned probabilities of the lights with a position; optional.
+  LightChances chances;
 
  private:
   friend class LightSampler;
@@ -125,6 +129,12 @@ class LightSampler {
   template <class F>
   void for_each_on_way(const Vec3& from, const Vec3& direction, float t_most, F&& f) const;
   const LightTree& portals() const { return sets_[kPortals].tree; }
+  /// The lights with a position of which one is chosen for each vertex, in ascending order; empty
+  /// where all are sampled.
+  std::span<const int> chosen_lights() const {
+    const Set& set = sets_[kFinite];
+    return set.size() > set.sample_all ? std::span<const int>(set.lights) : std::span<const int>();
+  }
 
   // The environment
 
@@ -173,9 +183,18 @@ class LightSampler {
 
     int size() const { return static_cast<int>(lights.size()); }
     template <class F>
-    void sample(const LitPoint& lit, float& u, F&& f) const;
-    float expected_samples(const LitPoint& lit, int light) const;
+    void sample(const LitPoint& lit, const LightChances& chances, float& u, F&& f) const;
+    float expected_samples(const LitPoint& lit, const LightChances& chances, int light) const;
+    /// Place of a light of the set in `lights`.
+    std::size_t place_of(int light) const {
+      return static_cast<std::size_t>(std::lower_bound(lights.begin(), lights.end(), light) -
+                                      lights.begin());
+    }
   };
+  /// The learned probabilities that a vertex has for a set.
+  static LightChances chances_of(const LitVertex& at, std::size_t set) {
+    return set == kFinite ? at.chances : LightChances();
+  }
   static std::size_t set_of(const Light& light);
   /// Share of the samples of the environment that ignore openings.
   float plain_share(const LitVertex& at) const;
@@ -194,9 +213,21 @@ class LightSampler {
 };
 
 template <class F>
-void LightSampler::Set::sample(const LitPoint& lit, float& u, F&& f) const {
+void LightSampler::Set::sample(const LitPoint& lit, const LightChances& chances, float& u,
+                               F&& f) const {
+  constexpr float kTree = LightChances::kUnlearned;
   if (size() <= sample_all) {
     for (const int light : lights) f(light, 1.0f);
+  } else if (chances) {
+    int light = -1;
+    if (u < kTree) {
+      u = std::min(u / kTree, 0x1.fffffep-1f);
+      if (const auto choice = tree.choose(lit, u)) light = choice->light;
+    } else {
+      u = std::min((u - kTree) / (1 - kTree), 0x1.fffffep-1f);
+      light = lights[chances.choose(u)];
+    }
+    if (light >= 0) f(light, expected_samples(lit, chances, light));
   } else if (tree.empty()) {
     const float scaled = u * static_cast<float>(size());
     const int i = std::min(static_cast<int>(scaled), size() - 1);
@@ -214,7 +245,7 @@ void LightSampler::sample(const LitVertex& at, float u, F&& f) const {
     if (is_lit_by(at, light)) f(LightPick{light, expected_samples});
   };
   if (at.count_ < 0) {
-    for (const Set& set : sets_) set.sample(at.lit_, u, pick);
+    for (std::size_t k = 0; k < kSets; ++k) sets_[k].sample(at.lit_, chances_of(at, k), u, pick);
   } else if (at.count_ > kSampleAll) {
     const int i = std::min(static_cast<int>(u * static_cast<float>(at.count_)), at.count_ - 1);
     pick(at.listed_light(i), 1 / static_cast<float>(at.count_));

@@ -33,7 +33,7 @@ int label_component(Cells& cells, int first, int label) {
     ++count;
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, kCells - 1); ++v)
       for (int u = std::max(x - 1, 0); u <= std::min(x + 1, kCells - 1); ++u) {
-        int& next = cells[static_cast<std::size_t>(v * kCells + u)];
+        int& next = cells[static_cast<std::size_t>(v) * kCells + static_cast<std::size_t>(u)];
         if (next != 0) continue;
         next = label;
         waiting.push_back(v * kCells + u);

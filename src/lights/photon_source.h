@@ -62,6 +62,12 @@ class PhotonSource {
   /// Whether first hits are stored because direct light does not include this source.
   bool direct() const { return light_ && light_->portal && light_->portal->photons_only; }
   bool is_environment() const { return !light_; }
+  /// Whether emit() maps its two squares to places and directions that do not depend on each other
+  /// more than by the extent of the light, so that photons can be aimed by one of them.
+  bool can_be_aimed() const {
+    return light_ && light_->path.empty() && !by_emitter_ && !aim_ && !light_->portal &&
+           light_->shape != LightShape::Sphere && light_->shape != LightShape::Cylinder;
+  }
   bool is_endless() const { return !light_ || light_->shape == LightShape::Directional; }
   /// Mean of power_unmet over `samples` photons.
   Rgb estimate_flux(int samples) const;

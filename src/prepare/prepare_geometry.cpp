@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "prepare/flat_panes.h"
 #include "prepare/mesh_table.h"
 #include "prepare/prepare_parts.h"
 
@@ -178,6 +179,7 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
     malloc_trim(0);  // the C library would keep most of it while Embree builds
   }
   meshes.commit();
+  mark_flat_panes(world);
   const geom::AccelMemory memory = world.accel->memory();
   report.geometry_bytes = memory.meshes + memory.instances + memory.embree;
 }

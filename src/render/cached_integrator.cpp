@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "render/cache_state.h"
-#include "render/learn_directions.h"
+#include "render/learn_light.h"
 #include "transport/gather/gather_map.h"
 #include "transport/path/pilot_paths.h"
 #include "transport/photon/photon_edges.h"
@@ -27,6 +27,10 @@ constexpr float kRetrace = 2;
 constexpr float kWorthwhile = 1.1f;
 /// Number of stored photons per light, and maximum number of emitted ones.
 constexpr std::uint64_t kPhotonsPerLight = 100000, kMaxPhotons = 2000000;
+/// The same for the caustics of path-traced pictures: stored photons of all lights together, the
+/// fewest and most of one, and emitted photons for each of them.
+constexpr std::uint64_t kSharpPhotons = 600000, kFewestSharp = 20000, kMostSharp = 300000;
+constexpr std::uint64_t kEmittedForSharp = 20;
 
 PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std::uint32_t seed) {
   const scene::RenderOptions& options = world.options;
@@ -44,6 +48,21 @@ PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std
   settings.merge_global = options.globillum.merge;
   settings.merge_caustic = options.caustic.merge;
   settings.by_energy = !plan.by_name;
+  settings.seed = seed;
+  settings.most = world.budgets[Budget::Photons];
+  return settings;
+}
+
+PhotonSettings sharp_photon_settings(const World& world, const SharpCaustics& sharp,
+                                     std::uint32_t seed) {
+  PhotonSettings settings;
+  settings.globillum = false;
+  settings.sharp = &sharp;
+  const auto lights = static_cast<std::uint64_t>(sharp.light_count());
+  const std::uint64_t stored = std::clamp(kSharpPhotons / lights, kFewestSharp, kMostSharp);
+  settings.each.caustic = {stored, stored * kEmittedForSharp};
+  settings.depth = world.options.photon_depth;
+  settings.merge_caustic = world.options.caustic.merge;
   settings.seed = seed;
   settings.most = world.budgets[Budget::Photons];
   return settings;
@@ -107,7 +126,7 @@ CachedIntegrator::CachedIntegrator(const World& world)
 bool CachedIntegrator::caches_only() const {
   const scene::RenderOptions& o = world_.options;
   return (plan_.gather && o.finalgather.only) ||
-         ((plan_.global || plan_.caustic) && o.photonmap_only);
+         ((plan_.global || plan_.caustic) && !plan_.sharp_caustics && o.photonmap_only);
 }
 
 PathSettings CachedIntegrator::path_settings() const {
@@ -118,7 +137,7 @@ PathSettings CachedIntegrator::path_settings() const {
     ++settings.diffuse_bounces;
   // Without photons of the sky and without gathering, the sky gives no indirect light.
   if (plan_.global && !plan_.gather && !plan_.by_name) settings.diffuse_bounces = 0;
-  settings.maps = plan_.maps() ? &maps_ : nullptr;
+  settings.maps = plan_.maps() || maps_.caustic ? &maps_ : nullptr;
   return settings;
 }
 
@@ -129,16 +148,20 @@ void CachedIntegrator::trace(const Camera::Ray& eye, Vec2 raster, float paths_of
   settings.paths_of_pixel = paths_of_pixel;
   settings.grid = reads_grid() ? &*grid_ : nullptr;
   settings.lit = lit_.empty() ? nullptr : &lit_;
-  settings.guide = guide_.empty() ? nullptr : &guide_;
+  settings.guide = learned_.guide.empty() ? nullptr : &learned_.guide;
+  settings.lights = learned_.lights.empty() ? nullptr : &learned_.lights;
   trace_path(world_, eye, raster, settings, record, sampler, counts);
 }
 
 void CachedIntegrator::prepare(const IntegratorPreparation& p) {
-  if (plan_.global || plan_.caustic) trace_photon_maps(p);
+  if (plan_.sharp_caustics)
+    trace_sharp_caustics(p);
+  else if (plan_.global || plan_.caustic)
+    trace_photon_maps(p);
   if (plan_.gather) gather(p);
   if (plan_.bounces) cache_bounces(gather_passes(p.seed), p);
   find_lit_surfaces(p);
-  find_guide(p);
+  learn(p);
   if (!caches_only()) grid_.emplace(world_, path_settings(), p.seed, p.counts);
 }
 
@@ -153,12 +176,12 @@ void CachedIntegrator::find_lit_surfaces(const IntegratorPreparation& p) {
     lit_ = {};
 }
 
-/// Only paths that trace diffuse bounces have a use for a guide.
-void CachedIntegrator::find_guide(const IntegratorPreparation& p) {
-  if (!plan_.indirect || plan_.gather || plan_.global || plan_.caustic || caches_only()) return;
+/// Only paths that trace diffuse bounces learn.
+void CachedIntegrator::learn(const IntegratorPreparation& p) {
+  if (!plan_.indirect || plan_.gather || plan_.global || caches_only()) return;
   PathSettings settings = path_settings();
   settings.lit = lit_.empty() ? nullptr : &lit_;
-  guide_ = learn_directions(world_, p, settings, bounces_);
+  learned_ = learn_light(world_, p, settings, bounces_);
 }
 
 void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {
@@ -181,11 +204,21 @@ void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {
   if (plan_.global) keep_light_at_edges(photons_.global, world_, maps_.global_lookup);
 }
 
+/// Nothing where no light belongs to photons, or no object casts caustics.
+void CachedIntegrator::trace_sharp_caustics(const IntegratorPreparation& p) {
+  sharp_ = SharpCaustics(world_);
+  if (sharp_.empty()) return;
+  photons_ = trace_photons(world_, sharp_photon_settings(world_, sharp_, p.seed), p.counts, nullptr,
+                           p.monitor);
+  use_photon_maps();
+}
+
 void CachedIntegrator::use_photon_maps() {
   const scene::RenderOptions& options = world_.options;
   const geom::Box3 box = world_.accel->bounds();
   if (plan_.global) maps_.global = &photons_.global;
   if (plan_.caustic) maps_.caustic = &photons_.caustic;
+  if (plan_.sharp_caustics) maps_.sharp = &sharp_;
   maps_.global_lookup = photon_lookup(options.globillum, box, PhotonKind::Global);
   maps_.global_lookup.walls_of = &world_;
   maps_.caustic_lookup = photon_lookup(options.caustic, box, PhotonKind::Caustic);
@@ -223,6 +256,8 @@ void CachedIntegrator::cache_bounces(const GatherPasses& passes, const Integrato
   if (paths_.diffuse_bounces <= 0) return;
   GatherSettings behind = passes.records;
   behind.path.finite_lights = !plan_.global;
+  const IndirectCaches caustics = maps_;
+  if (maps_.caustic && !plan_.global) behind.path.maps = &caustics;
   bounces_ = gather_bounces(world_, first_gather_points(world_, p.window, passes, p.counts), behind,
                             p.seed, p.counts, p.monitor);
   use_bounces();
@@ -277,7 +312,8 @@ void CachedIntegrator::restore(CheckpointReader& in, const IntegratorPreparation
     throw CheckpointError("its gather points are invalid");
   bounces_.held = held;
   cache_ = restore_cache(in);
-  if (plan_.global || plan_.caustic) use_photon_maps();
+  if (plan_.sharp_caustics) sharp_ = SharpCaustics(world_);
+  if (plan_.sharp_caustics ? !sharp_.empty() : plan_.global || plan_.caustic) use_photon_maps();
   if (plan_.gather) {
     const GatherPasses passes = gather_passes(p.seed);
     bounces_.query = bounces_query(world_);
@@ -290,7 +326,7 @@ void CachedIntegrator::restore(CheckpointReader& in, const IntegratorPreparation
     if (paths_.diffuse_bounces > 0) use_bounces();
   }
   find_lit_surfaces(p);
-  find_guide(p);
+  learn(p);
   grid_.emplace(world_, path_settings(), p.seed, p.counts);
 }
 

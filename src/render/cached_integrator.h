@@ -5,7 +5,7 @@
 
 #include "render/indirect_plan.h"
 #include "render/integrator.h"
-#include "transport/direction_guide.h"
+#include "render/learn_light.h"
 #include "transport/gather/gather_bounces.h"
 #include "transport/gather/gather_cache.h"
 #include "transport/gather/gather_passes.h"
@@ -22,7 +22,9 @@ namespace oriel {
 /// Model:   photons first, from each light as its element says. If no element says anything, or a
 ///          method with photons was chosen by name, the other lights get kPhotonsPerLight.
 ///          With photons alone, chosen by name, the environment emits as well. Otherwise its light
-///          comes by final gathering and portals.
+///          comes by final gathering and portals. Path tracing with `caustic on` reads photons
+///          for the caustics that paths hardly find (SharpCaustics), without energy statements and
+///          without files.
 ///          Files: photonmap and finalgather `rebuild` on: computed and written. Off: read if they
 ///          exist; photons are then not traced, gather points are added; then written.
 ///          `finalgather rebuild freeze`: read and used unchanged.
@@ -39,14 +41,15 @@ class CachedIntegrator final : public Integrator {
   void restore(CheckpointReader& in, const IntegratorPreparation& p) override;
   void trace(const Camera::Ray& eye, Vec2 raster, float paths_of_pixel, PathRecord& record,
              sampling::Sampler& sampler, RayCounts& counts) const override;
-  bool has_caches() const override { return plan_.maps(); }
+  bool has_caches() const override { return plan_.maps() || plan_.sharp_caustics; }
   bool caches_only() const override;
   std::size_t gather_points() const override { return cache_.records().size(); }
   bool has_unknown_light() const override { return read_files_ || reads_grid(); }
 
  private:
   void find_lit_surfaces(const IntegratorPreparation& p);
-  void find_guide(const IntegratorPreparation& p);
+  void learn(const IntegratorPreparation& p);
+  void trace_sharp_caustics(const IntegratorPreparation& p);
   void trace_photon_maps(const IntegratorPreparation& p);
   void use_photon_maps();
   GatherPasses gather_passes(std::uint32_t seed);
@@ -63,11 +66,12 @@ class CachedIntegrator final : public Integrator {
   IndirectCaches maps_;
   PathSettings paths_;  ///< behind a diffuse surface
   PhotonMaps photons_;
+  SharpCaustics sharp_;
   Bounces bounces_;
   GatherCache cache_;
   std::optional<GlossyGrid> grid_;
   LitSurfaces lit_;
-  DirectionGuide guide_;
+  LearnedLight learned_;
   bool read_files_ = false;
 };
 

@@ -9,10 +9,11 @@ namespace oriel {
 /// The caches that are computed before the picture, and what paths follow without them.
 struct IndirectPlan {
   bool gather = false, global = false, caustic = false;
-  bool bounces = false;   ///< paths end at coarse records behind the first diffuse bounce
-  bool by_name = false;   ///< a method was chosen by name, not by the scene's statements
-  bool indirect = false;  ///< diffuse surfaces light each other, by rays or by caches
-  bool maps() const { return gather || global || caustic || bounces; }
+  bool bounces = false;         ///< paths end at coarse records behind the first diffuse bounce
+  bool by_name = false;         ///< a method was chosen by name, not by the scene's statements
+  bool indirect = false;        ///< diffuse surfaces light each other, by rays or by caches
+  bool sharp_caustics = false;  ///< `caustic` is for what paths hardly find; see SharpCaustics
+  bool maps() const { return gather || global || (caustic && !sharp_caustics) || bounces; }
   /// Name on the command line; "none" where diffuse surfaces get direct light only.
   const char* name() const;
 };

@@ -55,6 +55,7 @@ struct InstanceData {
   bool linked = false;
   bool lights_exclusive = false;
   bool receives_shadow = true;
+  bool flat_pane = false;  ///< light passes straight; set for caustics of path-traced pictures only
   std::uint16_t visibility = kAllVisibility;  ///< VisibilityFlags
 };
 

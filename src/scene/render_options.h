@@ -173,10 +173,25 @@ struct RenderOptions {
   std::vector<WithoutEffect> without_effect;  ///< one entry per keyword, with its last location
   std::vector<std::string> unknown_strings;   ///< unknown string options, each once
 
-  /// Whether photons compute caustics. Path tracing does not: with it, glass casts transparent
-  /// shadows.
-  bool brings_caustics() const {
-    return caustic.on && indirect != IndirectMethod::Path && indirect != IndirectMethod::PathCache;
+  /// Method of indirect light, and whether there are caustics.
+  struct IndirectChoice {
+    IndirectMethod method;
+    bool caustics;
+  };
+  /// Paths alone, for which glass passes light straight: for quick pictures and for sensors, which
+  /// have no photons. Returns what was chosen.
+  IndirectChoice choose_paths_alone() {
+    const IndirectChoice chosen{indirect, caustic.on};
+    choose({IndirectMethod::Path, false});
+    return chosen;
+  }
+  void choose(const IndirectChoice& choice) {
+    indirect = choice.method;
+    caustic.on = choice.caustics;
+  }
+  /// Whether a method was chosen that traces paths in place of gather points and global photons.
+  bool traces_paths() const {
+    return indirect == IndirectMethod::Path || indirect == IndirectMethod::PathCache;
   }
 
   bool operator==(const RenderOptions&) const = default;

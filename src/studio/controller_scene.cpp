@@ -73,16 +73,14 @@ MeasureRequest measure_request(const json& request) {
 /// Measures light by path tracing, as `oriel measure` does.
 class PathTraced {
  public:
-  explicit PathTraced(World& world) : world_(world), method_(world.options.indirect) {
-    world_.options.indirect = scene::IndirectMethod::Path;
-  }
-  ~PathTraced() { world_.options.indirect = method_; }
+  explicit PathTraced(World& world) : world_(world), chosen_(world.options.choose_paths_alone()) {}
+  ~PathTraced() { world_.options.choose(chosen_); }
   PathTraced(const PathTraced&) = delete;
   PathTraced& operator=(const PathTraced&) = delete;
 
  private:
   World& world_;
-  scene::IndirectMethod method_;
+  scene::RenderOptions::IndirectChoice chosen_;
 };
 
 struct SensorGrid {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/frame.h"
-#include "geom/mesh.h"
 #include "sampling/warp.h"
+#include "transport/surface_tree.h"
 
 namespace oriel {
 
@@ -86,11 +86,8 @@ Frame guide_frame(const Vec3& normal);
 
 /// Densities for all places of a scene.
 ///
-/// Model:   for each of the six main directions of normals a binary tree over positions, halved
-///          along the longest side until a leaf has few points. The light of a leaf is that of its
-///          points; the node above counts as a share of a further point.
-/// Source:  the tree: T. Mueller, M. Gross, J. Novak, "Practical Path Guiding for Efficient
-///          Light-Transport Simulation", 2017.
+/// Model:   one for each cell of a SurfaceTree, of the light of its points; the node above counts
+///          as a share of a further point.
 /// Checked: DirectionGuide.*
 class DirectionGuide {
  public:
@@ -98,21 +95,13 @@ class DirectionGuide {
   /// Inputs:  bounds: of the scene.
   DirectionGuide(const geom::Box3& bounds, std::span<const GuidePoint> points);
 
-  bool empty() const { return nodes_.empty(); }
+  bool empty() const { return tree_.empty(); }
   /// Inputs:  normal: unit. Not for an empty guide.
   LocalGuide at(const Vec3& position, const Vec3& normal) const;
-  std::size_t bytes() const {
-    return nodes_.size() * sizeof(Node) + densities_.size() * sizeof(GuideDensity);
-  }
+  std::size_t bytes() const { return tree_.bytes() + densities_.size() * sizeof(GuideDensity); }
 
  private:
-  friend class GuideBuilder;
-  struct Node {
-    float split = 0;
-    std::int32_t axis = -1;   ///< -1: a leaf
-    std::uint32_t child = 0;  ///< the lower half, followed by the upper; of a leaf: its density
-  };
-  std::vector<Node> nodes_;  ///< the first six are roots
+  SurfaceTree tree_;
   std::vector<GuideDensity> densities_;
 };
 

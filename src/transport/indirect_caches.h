@@ -5,6 +5,7 @@
 #include "runtime/shading_point.h"
 #include "transport/gather/gather_cache.h"
 #include "transport/photon/photon_map.h"
+#include "transport/photon/sharp_caustics.h"
 #include "transport/surface.h"
 
 namespace oriel {
@@ -41,6 +42,8 @@ struct IndirectCaches {
   const PhotonMap* global = nullptr;  ///< read behind gather rays, or by the eye without `gather`
   PhotonLookup global_lookup;
   const PhotonMap* caustic = nullptr;  ///< read everywhere
+  /// The caustics that the map contains; null = all. Rays add the others.
+  const SharpCaustics* sharp = nullptr;
   PhotonLookup caustic_lookup;
 };
 

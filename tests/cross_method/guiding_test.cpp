@@ -23,6 +23,7 @@ std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.nam
 
 class Guiding : public ::testing::TestWithParam<Case> {};
 
+// acceptance: Q2
 TEST_P(Guiding, KeepsTheMean) {
   constexpr int kSamples = 1 << 18;
   const SceneText scene = GetParam().scene();

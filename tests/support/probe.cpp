@@ -14,6 +14,7 @@
 #include "shaders/registry.h"
 #include "transport/gather/gather_passes.h"
 #include "transport/gather/guide_points.h"
+#include "transport/gather/light_points.h"
 
 namespace oriel::testing {
 namespace {
@@ -124,16 +125,31 @@ void expect_exact(const std::string& name, const Measured& m, const Rgb& exact,
   figure(name, exact.x, m.mean.x, m.error.x);
 }
 
-Probe& Probe::guided(int rays) {
+Bounces Probe::coarse_records(const GatherSettings& settings) const {
   const Camera& camera = world_->camera;
+  RayCounts counts;
+  return gather_bounces(*world_,
+                        first_gather_points(*world_, {0, 0, camera.width, camera.height},
+                                            {settings, {}, 1, 0}, counts),
+                        settings, 0, counts, {});
+}
+
+Probe& Probe::learned_lights(int samples) {
+  RayCounts counts;
+  const Bounces coarse = coarse_records(gather_settings(world_->options, world_->accel->bounds()));
+  lights_ =
+      std::make_unique<LearnedLights>(measure_lights(*world_, coarse.points, samples, 0, counts));
+  settings_.lights = lights_->empty() ? nullptr : lights_.get();
+  EXPECT_TRUE(settings_.lights) << "no lights to choose from";
+  return *this;
+}
+
+Probe& Probe::guided(int rays) {
   RayCounts counts;
   const ProgressMonitor monitor;
   GatherSettings settings = gather_settings(world_->options, world_->accel->bounds());
   settings.path.diffuse_bounces = PathSettings::kAllBounces;
-  const GatherPasses passes{settings, {}, 1, 0};
-  const Bounces coarse = gather_bounces(
-      *world_, first_gather_points(*world_, {0, 0, camera.width, camera.height}, passes, counts),
-      settings, 0, counts, monitor);
+  const Bounces coarse = coarse_records(settings);
   guide_ = std::make_unique<DirectionGuide>(
       world_->accel->bounds(), guide_points(*world_, coarse, settings, rays, 0, counts, monitor));
   settings_.guide = guide_->empty() ? nullptr : guide_.get();

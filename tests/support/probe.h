@@ -15,6 +15,8 @@
 #include "support/scene_text.h"
 #include "support/test_shaders.h"
 #include "transport/direction_guide.h"
+#include "transport/gather/gather_bounces.h"
+#include "transport/learned_lights.h"
 #include "transport/path/lit_surfaces.h"
 #include "transport/path/path.h"
 
@@ -74,6 +76,8 @@ class Probe {
   bool has_lit_surfaces() const { return settings_.lit != nullptr; }
   /// Diffuse bounces follow a guide from `rays` rays of each coarse record.
   Probe& guided(int rays = 128);
+  /// Lights are chosen by what reaches coarse records.
+  Probe& learned_lights(int samples = 8);
 
   /// Paths that share the sample counts of the materials; by default each lobe gets one ray.
   Probe& paths_of_pixel(float paths) {
@@ -120,12 +124,14 @@ class Probe {
 
  private:
   Measured measure(int samples, const EyeRays& eye) const;
+  Bounces coarse_records(const GatherSettings& settings) const;
 
   scene::Scene scene_;
   std::unique_ptr<World> world_;
   PathSettings settings_;
   std::unique_ptr<LitSurfaces> lit_;
   std::unique_ptr<DirectionGuide> guide_;
+  std::unique_ptr<LearnedLights> lights_;
   bool outputs_ = false;
 };
 

@@ -22,8 +22,7 @@ class SceneText {
   explicit SceneText(std::string options = "trace depth 8 8 12 shadow segments")
       : options_(std::move(options)) {}
 
-  /// The method of indirect light; "scene" as the options say. Paths leave shadows of glass
-  /// transparent even with caustics on, the others close them.
+  /// The method of indirect light; "scene" as the options say.
   SceneText& method(const std::string& name);
   /// A mia_material_x of those parameters that stands for its shadows as well. Without
   /// "reflectivity" it would reflect: declared defaults hold.

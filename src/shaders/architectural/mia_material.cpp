@@ -13,6 +13,7 @@
 #include "runtime/material_outputs.h"
 #include "runtime/shader_node.h"
 #include "runtime/texture_direction.h"
+#include "runtime/world.h"
 
 namespace oriel {
 namespace {
@@ -216,13 +217,22 @@ void add_diffuse(const MiaMaterialParams& p, const Rgb& level, const Vec3& norma
                        rgb(p.ao_ambient), p.ao_do_details};
 }
 
+/// Path-traced pictures have no need of photons behind thin walls and panes, which do not turn
+/// light: their shadows stay transparent.
+bool passes_straight(const ShadingPoint& point, const Closure& closure) {
+  if (!point.world || !point.world->options.traces_paths()) return false;
+  if (closure.thin_walled) return true;
+  return point.instance >= 0 &&
+         point.world->instances[static_cast<std::size_t>(point.instance)].flat_pane;
+}
+
 void shade_mia(const Call& call, Closure& closure, bool extended) {
   const MiaMaterialParams& p = call.as<MiaMaterialParams>();
   ShadingPoint& point = call.point;
   closure.opacity = clamp01(p.cutout_opacity);
   closure.seen_from_back = !p.backface_cull;
   closure.thin_walled = p.thin_walled || p.transparency <= 0;
-  closure.refractive_caustics = p.do_refractive_caustics;
+  closure.refractive_caustics = p.do_refractive_caustics && !passes_straight(point, closure);
   closure.propagate_alpha = p.propagate_alpha;
   closure.highlight_scale = std::max(0.0f, p.hl_vs_refl_balance);
   closure.highlights_of_visible_lights = !p.no_visible_area_hl;

@@ -119,7 +119,7 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
     if (!aov_.fixed) aov_.part = closure.outputs ? Aov::Background : Aov::Other;
     aov_.fixed = true;
   } else if (depth_.after_diffuse && keeps_weights &&
-             !(closure.refractive_caustics && world_.options.brings_caustics())) {
+             !(closure.refractive_caustics && world_.options.caustic.on)) {
     // The choice between straight transmission and everything else, by their weights.
     Rgb through(0), other(closure.emission);
     for (int i = 0; i < closure.count; ++i)

@@ -14,6 +14,7 @@ namespace oriel {
 
 class DirectionGuide;
 class GlossyGrid;
+class LearnedLights;
 class LitSurfaces;
 struct IndirectCaches;
 
@@ -36,6 +37,7 @@ struct PathSettings {
   const IndirectCaches* maps = nullptr;   ///< caches of indirect light; null = all light is traced
   const LitSurfaces* lit = nullptr;       ///< sampled as lights; null = only rays find them
   const DirectionGuide* guide = nullptr;  ///< of diffuse directions; null = by the cosine
+  const LearnedLights* lights = nullptr;  ///< for the choice of lights; null = by the light tree
   const GlossyGrid* grid = nullptr;  ///< for materials that interpolate reflections; null = none
 };
 

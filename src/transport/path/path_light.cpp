@@ -84,7 +84,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
       const auto hit = ends ? end_at(light) : std::nullopt;
       if (hit) {
         nearest = hit->t;
-        seen = sees ? hit->radiance * own_view(light) : Rgb(0);
+        seen = sees && !is_mapped_caustic(index) ? hit->radiance * own_view(light) : Rgb(0);
         seen_light = index;
         ended = true;
       }

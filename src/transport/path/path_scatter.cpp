@@ -7,6 +7,7 @@
 #include "base/math.h"
 #include "bsdf/ggx.h"
 #include "bsdf/glossy_reflection.h"
+#include "transport/learned_lights.h"
 #include "transport/path/occlusion.h"
 #include "transport/path/path_walk.h"
 #include "transport/shadow.h"
@@ -291,6 +292,8 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   // At grazing angles a lobe is narrower in one direction; a round lobe of the same area is used.
   way_.roughness = alpha * std::sqrt(std::abs(dot(point.wo(), lobe.frame.n)));
   from_.weighed = !sample.delta;
+  from_.sharp_caster = sample.delta && settings_.maps && settings_.maps->sharp &&
+                       settings_.maps->sharp->casts(static_cast<int>(point.instance));
   from_.pdf = sample.pdf;
   from_.group = group_of(lobe.kind);
   from_.passed = way_.volume_passed = 0;
@@ -355,6 +358,14 @@ bool Path::continue_path(const Closure& closure, const LobeChoice& choice, const
   return russian_roulette();
 }
 
+/// The lights that this vertex samples.
+void Path::place_lit_vertex(const Closure& closure, const ShadingPoint& point) {
+  // Constructed in place, since the object is large.
+  std::construct_at(&from_.lights, world_, point, closure);
+  if (settings_.lights)
+    from_.lights.chances = settings_.lights->at(point.position, point.geometric_normal);
+}
+
 /// Adds the light at a vertex and continues the path. False: the path ends here.
 bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint& point) {
   LobeChoice choice;
@@ -374,9 +385,8 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
   const bool splits = split(closure, choice);
   point.glossiness = closure.glossiness;
   point.importance = std::min(1.0f, depth_.importance);
-  // Constructed in place, since the object is large.
   if (settings_.finite_lights)
-    std::construct_at(&from_.lights, world_, point, closure);
+    place_lit_vertex(closure, point);
   else
     std::construct_at(&from_.lights);
   from_.lights.environment_samples = environment_samples(material);

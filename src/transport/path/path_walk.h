@@ -92,6 +92,7 @@ class Path {
       return group == LobeGroup::Diffuse ? hit.affects_diffuse : hit.affects_specular;
     }
     bool shadows = true;
+    bool sharp_caster = false;  ///< a mirror or clear glass of SharpCaustics
     // Surfaces were sampled as lights for diffuse lobes, and for glossy reflections.
     bool surfaces_on_diffuse = false, surfaces_in_reflections = false;
     /// Whether surfaces were sampled for the lobes of the ray.
@@ -247,6 +248,7 @@ class Path {
                     bool diffuse) const;
   void guide(const Closure& closure, LobeChoice& choice, const ShadingPoint& point) const;
   bool split(const Closure& closure, LobeChoice& choice) const;
+  void place_lit_vertex(const Closure& closure, const ShadingPoint& point);
   void take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
                    bool diffuse);
   void take_direct_of_layers(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
@@ -287,10 +289,15 @@ class Path {
     return held >= PathSettings::kAllBounces ||
            settings_.diffuse_bounces - depth_.diffuse_bounces == held;
   }
-  /// Whether light that reaches diffuse surfaces through mirrors and glass is in the caustic map.
-  /// Rays that leave such a surface must then not add it again.
+  /// Whether all light that reaches diffuse surfaces through mirrors and glass is in the caustic
+  /// map. Rays that leave such a surface must then not add it again.
   bool caustics_are_mapped() const {
-    return settings_.maps && settings_.maps->caustic && depth_.after_diffuse;
+    return settings_.maps && settings_.maps->caustic && !settings_.maps->sharp &&
+           depth_.after_diffuse;
+  }
+  /// The same for light of one light along the current ray, if the map contains some caustics only.
+  bool is_mapped_caustic(int light) const {
+    return from_.sharp_caster && depth_.after_diffuse && settings_.maps->sharp->has_light(light);
   }
   /// Factor of the options on indirect light that rays bring to this vertex.
   Rgb indirect_factor() const {

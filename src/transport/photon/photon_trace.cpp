@@ -73,6 +73,9 @@ class MapTracer {
     Harvest caustic{asked.caustic, settings_.caustics && asked.caustic.any(), {}};
     // Photons that no map asks for any more are not followed.
     PhotonSettings settings = settings_;
+    const PhotonAim aim =
+        settings_.sharp ? PhotonAim(source, settings_.sharp->spheres()) : PhotonAim();
+    if (aim.share() == 0) return;
     PhotonBalance balance;
     std::uint64_t sent = 0;
     while (!monitor_.cancelled()) {
@@ -86,7 +89,8 @@ class MapTracer {
       parallel_for(logs.size(), [&](std::size_t b) {
         const std::uint64_t first = sent + b * kBatch, last = std::min(first + kBatch, end);
         for (std::uint64_t i = first; i < last; ++i)
-          walk_photon(world_, settings, source, stream, static_cast<std::uint32_t>(i), logs[b]);
+          walk_photon(world_, settings, source, aim, stream, static_cast<std::uint32_t>(i),
+                      logs[b]);
       });
       for (const PhotonLog& log : logs) {
         global.photons.insert(global.photons.end(), log.global.begin(), log.global.end());
@@ -146,7 +150,8 @@ std::uint64_t requested(const PhotonCount& count) {
 
 /// The request of a light; null: it sends no photons.
 const LightPhotons* request_of(const Light& light, const PhotonSettings& settings) {
-  const LightPhotons& asked = light.photons.any() ? light.photons : settings.each;
+  const bool own = light.photons.any() && !settings.sharp;
+  const LightPhotons& asked = own ? light.photons : settings.each;
   return asked.any() && sends_photons(light, settings) ? &asked : nullptr;
 }
 
@@ -194,14 +199,16 @@ PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, Ray
   for (std::size_t i = 0; i < world.lights.size(); ++i) {
     const LightPhotons& own = world.lights[i].photons;
     const LightPhotons* asked = request_of(world.lights[i], settings);
-    if (!asked) continue;
+    if (!asked || (settings.sharp && !settings.sharp->has_light(static_cast<int>(i)))) continue;
     const double done = static_cast<double>(i);
-    tracer.trace(PhotonSource(world, world.lights[i], own.emission),
-                 own.any() ? limited(*asked, share) : *asked, static_cast<int>(i) + 1,
+    // Energy statements do not apply to paths.
+    const EmissionRequest emission = settings.sharp ? EmissionRequest() : own.emission;
+    tracer.trace(PhotonSource(world, world.lights[i], emission),
+                 asked == &own ? limited(*asked, share) : *asked, static_cast<int>(i) + 1,
                  layers.asked() ? layers.of_light[i] : Photon::kUnknownLayer,
                  {done / sources, (done + 1) / sources});
   }
-  if (world.light_sampler->environment().lights())
+  if (world.light_sampler->environment().lights() && !settings.sharp)
     tracer.trace(PhotonSource(world, settings.environment.emission), settings.environment, 0,
                  layers.asked() ? layers.environment : Photon::kUnknownLayer, {1 - 1 / sources, 1});
   counts += tracer.counts();

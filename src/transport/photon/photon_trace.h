@@ -8,6 +8,7 @@
 #include "lights/photon_source.h"
 #include "transport/counts.h"
 #include "transport/photon/photon_file.h"
+#include "transport/photon/sharp_caustics.h"
 #include "transport/progress_monitor.h"
 
 namespace oriel {
@@ -24,6 +25,9 @@ struct PhotonSettings {
   /// Lights without energy emit no photons, as in scenes whose own statements enable photons.
   bool by_energy = false;
   std::uint32_t seed = 0;
+  /// Only photons of its lights that its casters scatter first are wanted; null = all. For caustics
+  /// alone. Borrowed.
+  const SharpCaustics* sharp = nullptr;
   /// Maximum number of stored photons that lights request by counts of their own, in both maps. If
   /// they request more, each stores the same share of its request.
   std::uint64_t most = UINT64_MAX;

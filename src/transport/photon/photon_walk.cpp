@@ -44,10 +44,11 @@ PhotonBalance::Sum precise(const Rgb& c) { return {c.x, c.y, c.z}; }
 class PhotonWalk {
  public:
   PhotonWalk(const World& world, const PhotonSettings& settings, const PhotonSource& source,
-             int stream, std::uint32_t index, PhotonLog& log)
+             const PhotonAim& aim, int stream, std::uint32_t index, PhotonLog& log)
       : world_(world),
         settings_(settings),
         source_(source),
+        aim_(aim),
         index_(index),
         log_(log),
         sampler_(stream, kStreamRow, index, settings.seed) {}
@@ -59,6 +60,12 @@ class PhotonWalk {
   unsigned visibility(const ShadingPoint& point) const {
     return photon_bits(world_.instances[static_cast<std::size_t>(point.instance)].visibility,
                        !settings_.globillum);
+  }
+  /// Whether the photon counts only if a mirror or clear glass scatters it next.
+  bool needs_caster() const { return settings_.sharp && !scattered_; }
+  void stop() {
+    log_.balance.stopped += precise(power());
+    factor_ = Rgb(0);
   }
   void pass_medium(const Medium& medium, float distance);
   bool pass_volume(const Vec3& end, float length);
@@ -90,6 +97,7 @@ class PhotonWalk {
   const World& world_;
   const PhotonSettings& settings_;
   const PhotonSource& source_;
+  const PhotonAim& aim_;
   std::uint32_t index_;
   PhotonLog& log_;
   sampling::Sampler sampler_;
@@ -151,10 +159,7 @@ bool PhotonWalk::pass_volume(const Vec3& end, float length) {
     lose(factor_ * value.scattered / turned);
     way_.kind = RayKind::PhotonScatterVolume;
     scattered_ = diffuse_ = true;
-    if (!settings_.globillum) {
-      log_.balance.stopped += precise(power());
-      factor_ = Rgb(0);
-    }
+    if (!settings_.globillum) stop();
     way_.leave_volume_point(value.place, value.onward, geom::RayMask::FinalGather);
     return true;
   }
@@ -179,6 +184,7 @@ float PhotonWalk::choose_lobes(const Closure& closure, LobeChoice& choice) const
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     if (lobe.controls.highlights_only || is_highlight(lobe.kind)) continue;
+    if (needs_caster() && !is_delta(lobe.kind)) continue;
     choice.rays[i] = std::max(0.0f, max_component(lobe.weight * now)) / most;
     total += choice.rays[i];
   }
@@ -256,11 +262,11 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
 
   if (!seen) return absorb(), false;
   const bool wanted = settings_.globillum || !is_diffuse(kind);
-  const bool casts = visibility(point) & kCastsCaustics;
+  const bool casts = needs_caster() ? settings_.sharp->casts(static_cast<int>(point.instance))
+                                    : (visibility(point) & kCastsCaustics) != 0;
   const bool through = transmits(kind) || kind == LobeKind::Translucency;
   if (!count_bounce(through) || !wanted || !casts) {
-    log_.balance.stopped += precise(power());
-    factor_ = Rgb(0);
+    stop();
     return false;
   }
   const auto sample = sample_lobe(closure, choice, index, point, point.wo(), u, u2);
@@ -332,8 +338,7 @@ bool PhotonWalk::ask_shaders(const Closure& closure, const Material& material, S
     return true;
   }
   if (!count_bounce(refracts) || !(visibility(point) & kCastsCaustics)) {
-    log_.balance.stopped += precise(power());
-    factor_ = Rgb(0);
+    stop();
     return false;
   }
   scattered_ = true;
@@ -360,8 +365,12 @@ bool PhotonWalk::shade_hit(const geom::Hit& hit) {
   const Material& material = material_of(world_, hit);
   Closure closure;
   shade_for_photons(material, point, closure);
-  if (!scattered_) emitted_ = source_.power(photon_, length(point.position - start_));
+  if (!scattered_)
+    emitted_ = source_.power(photon_, length(point.position - start_)) * aim_.share();
   if (max_component(power()) <= 0) return absorb(), false;
+  if (needs_caster() && !material.may_transmit &&
+      !settings_.sharp->casts(static_cast<int>(point.instance)))
+    return stop(), false;
   if (source_.is_environment() && !diffuse_ &&
       is_behind_portal(world_, point.position, -way_.ray.dir, hit.t, way_.ray.time))
     return absorb(), false;
@@ -374,7 +383,7 @@ bool PhotonWalk::shade_hit(const geom::Hit& hit) {
   const bool turned = pass_volume(point.position, length(point.position - way_.left));
   if (max_component(factor_) <= 0) return false;
   if (turned) return true;
-  if (!material.photon.empty()) {
+  if (!material.photon.empty() && !needs_caster()) {
     const bool seen = world_.accel->instance(hit.instance).mask & geom::RayMask::FinalGather;
     return ask_shaders(closure, material, point, seen);
   }
@@ -401,9 +410,10 @@ bool PhotonWalk::shade_hit(const geom::Hit& hit) {
 }
 
 void PhotonWalk::run() {
-  const Vec2 u_place = sampler_.next_2d();
+  Vec2 u_place = sampler_.next_2d(), u_direction = sampler_.next_2d();
+  aim_.aim(u_place, u_direction);
   photon_ =
-      source_.emit(u_place, sampler_.next_2d(),
+      source_.emit(u_place, u_direction,
                    settings_.globillum ? RayKind::PhotonEmitGlobillum : RayKind::PhotonEmitCaustic);
   way_.ray = source_.first_ray(photon_, sampler_);
   start_ = way_.ray.org;
@@ -413,7 +423,7 @@ void PhotonWalk::run() {
     geom::Hit hit;
     ++log_.counts.gather;
     if (!world_.accel->intersect(way_.ray, hit)) {
-      if (!scattered_) emitted_ = source_.power_unmet(photon_);
+      if (!scattered_) emitted_ = source_.power_unmet(photon_) * aim_.share();
       if (std::isinf(way_.ray.tfar)) {
         const bool turned = pass_volume(way_.ray.org, kEndless);
         if (max_component(factor_) <= 0) break;
@@ -436,18 +446,18 @@ void PhotonWalk::run() {
 }  // namespace
 
 void walk_photon(const World& world, const PhotonSettings& settings, const PhotonSource& source,
-                 int stream, std::uint32_t index, PhotonLog& log) {
+                 const PhotonAim& aim, int stream, std::uint32_t index, PhotonLog& log) {
   if (!(world.photons_part_ways && settings.globillum && settings.caustics)) {
-    PhotonWalk(world, settings, source, stream, index, log).run();
+    PhotonWalk(world, settings, source, aim, stream, index, log).run();
     return;
   }
   // The flags of the two maps differ: each map gets its own photons. The global ones are counted.
   PhotonSettings alone = settings;
   alone.caustics = false;
-  PhotonWalk(world, alone, source, stream, index, log).run();
+  PhotonWalk(world, alone, source, aim, stream, index, log).run();
   std::swap(alone.globillum, alone.caustics);
   PhotonLog other;
-  PhotonWalk(world, alone, source, stream, index, other).run();
+  PhotonWalk(world, alone, source, aim, stream, index, other).run();
   log.caustic.insert(log.caustic.end(), other.caustic.begin(), other.caustic.end());
   log.counts += other.counts;
 }

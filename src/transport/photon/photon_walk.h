@@ -4,6 +4,7 @@
 
 #include "lights/photon_source.h"
 #include "sampling/sampler.h"
+#include "transport/photon/photon_aim.h"
 #include "transport/photon/photon_trace.h"
 
 namespace oriel {
@@ -23,6 +24,6 @@ struct PhotonLog {
 
 /// Sends photon `index` of a source. `stream` tells sources apart.
 void walk_photon(const World& world, const PhotonSettings& settings, const PhotonSource& source,
-                 int stream, std::uint32_t index, PhotonLog& log);
+                 const PhotonAim& aim, int stream, std::uint32_t index, PhotonLog& log);
 
 }  // namespace oriel

@@ -454,7 +454,7 @@ TEST(PhotonTrace, MirrorsMakeCausticsAndDiffuseBouncesDoNot) {
 
 TEST(PhotonTrace, CutOutsLetTheirSharePassAsDirectLight) {
   SceneText scene = lit_floor(kSun);
-  scene
+  scene.method("scene")
       .material("pane",
                 "\"reflectivity\" 0, \"diffuse_weight\" 0, \"transparency\" 1, "
                 "\"refr_color\" .8 .8 .8, \"thin_walled\" on, "

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Probabilities of the lights of a set that were learned for a place.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+namespace oriel {
+
+/// Probabilities of the lights of one set of the light sampler; borrowed.
+struct LightChances {
+  /// Share of the samples that ignore them, so that lights which were not seen are found, and a
+  /// wrong choice multiplies the noise at most by its reciprocal.
+  static constexpr float kUnlearned = 0.3f;
+
+  std::span<const float> probability;  ///< by the order of the set; sum 1. Empty: unknown
+  std::span<const float> until;        ///< sums of those up to each
+
+  explicit operator bool() const { return !probability.empty(); }
+  /// Inputs:  u: uniform in [0,1); returns a new uniform number.
+  std::size_t choose(float& u) const {
+    const auto found = std::upper_bound(until.begin(), until.end(), u);
+    const std::size_t i =
+        std::min(static_cast<std::size_t>(found - until.begin()), until.size() - 1);
+    const float from = i > 0 ? until[i - 1] : 0;
+    if (probability[i] > 0) u = std::clamp((u - from) / probability[i], 0.0f, 0x1.fffffep-1f);
+    return i;
+  }
+};
+
+}  // namespace oriel

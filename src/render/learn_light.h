@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the paths of a picture learn of its light beforehand.
+#pragma once
+
+#include "render/integrator.h"
+#include "transport/direction_guide.h"
+#include "transport/gather/gather_bounces.h"
+#include "transport/learned_lights.h"
+#include "transport/path/path.h"
+
+namespace oriel {
+
+struct LearnedLight {
+  LearnedLights lights;  ///< for the choice of lights
+  DirectionGuide guide;  ///< for diffuse bounces
+  std::size_t bytes() const { return lights.bytes() + guide.bytes(); }
+};
+
+/// Learns at the points of coarse records which lights reach them and from where light comes. A
+/// part is empty if the picture has so few paths that learning costs more than it saves, if pilot
+/// paths show no gain, or if cancelled.
+///
+/// Inputs:  settings: of the paths, which learned nothing; coarse: records of the scene, if they
+///          exist; without points they are computed.
+/// Checked: Guiding.*, GuidedPictures.*, ManyLamps.* in tests/cross_method
+LearnedLight learn_light(const World& world, const IntegratorPreparation& p,
+                         const PathSettings& settings, const Bounces& coarse);
+
+}  // namespace oriel

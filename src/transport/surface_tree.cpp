@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/surface_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace oriel {
+namespace {
+
+/// Maximum number of points of a cell. 1 to 4 differ little.
+constexpr std::uint32_t kPointsOfCell = 4;
+constexpr int kDeepestCell = 32;
+
+}  // namespace
+
+std::size_t main_side(const Vec3& n) {
+  const float x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+  const int axis = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+  return 2 * static_cast<std::size_t>(axis) + (n[axis] < 0 ? 1 : 0);
+}
+
+SurfaceTree::SurfaceTree(const geom::Box3& bounds, std::span<const Point> points) {
+  if (points.empty()) return;
+  order_.resize(points.size());
+  std::iota(order_.begin(), order_.end(), 0u);
+  nodes_.resize(kSides);
+  auto begin = order_.begin();
+  for (std::uint32_t side = 0; side < kSides; ++side) {
+    const auto end = std::stable_partition(
+        begin, order_.end(), [&](std::uint32_t i) { return main_side(points[i].normal) == side; });
+    nodes_[side].begin = static_cast<std::uint32_t>(begin - order_.begin());
+    nodes_[side].end = static_cast<std::uint32_t>(end - order_.begin());
+    divide(side, bounds, points, 0);
+    begin = end;
+  }
+}
+
+void SurfaceTree::divide(std::uint32_t index, const geom::Box3& box, std::span<const Point> points,
+                         int depth) {
+  const Node node = nodes_[index];
+  if (node.end - node.begin <= kPointsOfCell || depth == kDeepestCell) {
+    nodes_[index].child = static_cast<std::uint32_t>(cells_++);
+    return;
+  }
+  const Vec3 size = box.max - box.min;
+  const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  const float split = 0.5f * (box.min[axis] + box.max[axis]);
+  const auto at = [&](std::uint32_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+  const auto found = std::stable_partition(at(node.begin), at(node.end), [&](std::uint32_t i) {
+    return points[i].position[axis] < split;
+  });
+  const auto middle = static_cast<std::uint32_t>(found - order_.begin());
+  const auto child = static_cast<std::uint32_t>(nodes_.size());
+  nodes_[index].split = split;
+  nodes_[index].axis = axis;
+  nodes_[index].child = child;
+  nodes_.push_back({.above = index, .begin = node.begin, .end = middle});
+  nodes_.push_back({.above = index, .begin = middle, .end = node.end});
+  geom::Box3 low = box, high = box;
+  low.max[axis] = high.min[axis] = split;
+  divide(child, low, points, depth + 1);
+  divide(child + 1, high, points, depth + 1);
+}
+
+}  // namespace oriel

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Divides the surfaces of a scene into cells by points on them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geom/mesh.h"
+
+namespace oriel {
+
+/// The main direction of a normal, 0 to 5: twice its longest axis, plus one if it points down it.
+std::size_t main_side(const Vec3& normal);
+
+/// A cell for each place of a surface.
+///
+/// Model:   for each of the six main directions of normals a binary tree over positions, halved
+///          along the longest side until a leaf has few points. A cell is a leaf.
+/// Source:  T. Mueller, M. Gross, J. Novak, "Practical Path Guiding for Efficient Light-Transport
+///          Simulation", 2017.
+/// Checked: DirectionGuide.*
+class SurfaceTree {
+ public:
+  struct Point {
+    Vec3 position{0}, normal{0, 0, 1};
+  };
+
+  SurfaceTree() = default;
+  /// Inputs:  bounds: of the scene.
+  SurfaceTree(const geom::Box3& bounds, std::span<const Point> points);
+
+  bool empty() const { return nodes_.empty(); }
+  std::size_t cells() const { return cells_; }
+  std::size_t bytes() const { return nodes_.size() * sizeof(Node); }
+  /// The cell of a place, below cells(). Inputs:  normal: unit. Not for an empty tree.
+  std::size_t find(const Vec3& position, const Vec3& normal) const {
+    const Node* node = &nodes_[main_side(normal)];
+    while (node->axis >= 0)
+      node = &nodes_[node->child + (position[node->axis] < node->split ? 0 : 1)];
+    return node->child;
+  }
+
+  /// A value for each cell: mean(indices of points, above) of a node and the value of the node
+  /// above, from all points down. `all` stands above that of all points.
+  template <class Value, class Mean>
+  std::vector<Value> values(const Value& all, const Mean& mean) const {
+    std::vector<Value> of_nodes, of_cells(cells_, all);
+    const Value first = mean(std::span<const std::uint32_t>(order_), all);
+    of_nodes.reserve(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const Node& node = nodes_[i];
+      const Value& above = i < kSides ? first : of_nodes[node.above];
+      of_nodes.push_back(
+          mean(std::span<const std::uint32_t>(order_).subspan(node.begin, node.end - node.begin),
+               above));
+      if (node.axis < 0) of_cells[node.child] = of_nodes.back();
+    }
+    return of_cells;
+  }
+
+ private:
+  static constexpr std::size_t kSides = 6;
+  struct Node {
+    float split = 0;
+    std::int32_t axis = -1;   ///< -1: a leaf
+    std::uint32_t child = 0;  ///< the lower half, followed by the upper; of a leaf: its cell
+    std::uint32_t above = 0;  ///< node; not of roots
+    std::uint32_t begin = 0, end = 0;  ///< its points in order_
+  };
+  void divide(std::uint32_t node, const geom::Box3& box, std::span<const Point> points, int depth);
+
+  std::vector<Node> nodes_;  ///< the first six are roots; those above come first
+  std::vector<std::uint32_t> order_;
+  std::size_t cells_ = 0;
+};
+
+}  // namespace oriel

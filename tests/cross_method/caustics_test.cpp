@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// Caustics of path-traced pictures against closed forms, paths without photons, and photon maps.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "bsdf/fresnel.h"
+#include "scenes.h"
+#include "support/picture.h"
+#include "transport/photon/photon_aim.h"
+#include "transport/photon/photon_trace.h"
+
+namespace oriel::cross_method {
+namespace caustics_test {
+
+using testing::kUp;
+using testing::Probe;
+using testing::RenderedScene;
+
+constexpr const char* kOptions = "trace depth 8 8 12 photon trace depth 8 8 12 shadow segments";
+constexpr const char* kSolid =
+    "\"reflectivity\" 1, \"transparency\" 1, \"diffuse_weight\" 0, \"refr_ior\" 1.5, "
+    "\"brdf_fresnel\" on, \"do_refractive_caustics\" on";
+constexpr const char* kMetal =
+    "\"reflectivity\" .8, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1, \"brdf_90_degree_refl\" "
+    "1, "
+    "\"brdf_fresnel\" off";
+
+SceneText caustic_scene(const std::string& options = "") {
+  return SceneText(std::string(kOptions) + " caustic on " + options);
+}
+
+/// A camera above a place of the floor that sees a square of side 2 `half`. `up`: one below a place
+/// of a ceiling instead.
+void look_at_floor(SceneText& scene, const Vec3& place, float half, bool up = false,
+                   float height = 1) {
+  const float z = up ? place.z - height : place.z + height;
+  scene.camera(fmt::format("focal {} aperture {} aspect 1 resolution 16 16", height, 2 * half),
+               up ? fmt::format("-1 0 0 0  0 1 0 0  0 0 -1 0  {} {} {} 1", place.x, -place.y, z)
+                  : fmt::format("1 0 0 0  0 1 0 0  0 0 1 0  {} {} {} 1", -place.x, -place.y, -z));
+}
+
+SessionSettings samples(std::uint32_t count) {
+  SessionSettings settings;
+  settings.budget.samples = count;
+  return settings;
+}
+
+float rendered(SceneText scene, const std::string& method, std::uint32_t count = 64) {
+  scene.method(method);
+  return RenderedScene(scene, samples(count)).mean().y;
+}
+
+/// A picture by paths alone, that have no photons.
+testing::Measured brute_force(SceneText& scene, int count) { return Probe(scene).picture(count); }
+
+std::string infinite(const Vec3& direction) {
+  return "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction " +
+         testing::text_of(direction);
+}
+
+/// A visible lamp that is small compared with the floor of the scenes, 16 x 16.
+constexpr const char* kLamp =
+    "\"physical_light\" ( \"color\" 300 300 300 ) origin 0 0 4 direction 0 0 -1 "
+    "disc 0 0 -1 .5 3 3";
+
+// acceptance: Q3
+TEST(CausticPictures, MirrorThrowsTheSunOnACeiling) {
+  SceneText scene = caustic_scene();
+  scene.lambert("ceiling", .5f)
+      .material("mirror", kMetal)
+      .square("mirror", Vec3(0), 1, kUp)
+      .square("ceiling", Vec3(2.2f, 0, 2), 1.2f, -kUp)
+      .light("sun", infinite(Vec3(1, 0, -1)));
+  look_at_floor(scene, Vec3(2, 0, 2), .3f, true);
+  const double exact = .5 * .8 * std::numbers::sqrt2 / 2;
+  for (const char* method : {"path", "path+cache"})
+    EXPECT_NEAR(rendered(scene, method, 16), exact, .01 * exact) << method;
+}
+
+// acceptance: Q3
+TEST(CausticPictures, WaterRefractsTheSunOnTheFloorOfAPool) {
+  // The floor is nearly black, so that light between floor and surface does not count.
+  SceneText scene = caustic_scene();
+  scene.lambert("floor", .004f)
+      .material("water",
+                "\"reflectivity\" 1, \"transparency\" 1, \"diffuse_weight\" 0, \"refr_ior\" 1.33, "
+                "\"brdf_fresnel\" on, \"do_refractive_caustics\" on")
+      .square("floor", Vec3(0), 8, kUp)
+      .square("water", Vec3(0, 0, 2), 8, kUp)
+      .light("sun", infinite(Vec3(1, 0, -1)));
+  // The camera is below the surface.
+  look_at_floor(scene, Vec3(0), 1);
+  // Through a horizontal surface the flux on a horizontal floor changes by reflection alone.
+  const double cosine = std::numbers::sqrt2 / 2;
+  const double exact = .004 * cosine * (1 - bsdf::fresnel_dielectric(float(cosine), 1.33f));
+  EXPECT_NEAR(rendered(scene, "path", 16), exact, .01 * exact);
+}
+
+// acceptance: Q3
+TEST(CausticPictures, PanesAndThinWallsKeepTransparentShadows) {
+  const auto below = [](const std::string& options, const std::string& glass, float thickness) {
+    SceneText scene(std::string(kOptions) + " " + options);
+    scene.lambert("floor", .5f)
+        .square("floor", Vec3(0), 8, kUp)
+        .material("glass", std::string(kSolid) + glass)
+        .box("glass", Vec3(-5, -5, 1), Vec3(5, 5, 1 + thickness))
+        .light("sun", infinite(Vec3(.3f, 0, -1)));
+    look_at_floor(scene, Vec3(0), .5f);
+    return rendered(scene, "path", 16);
+  };
+  for (const char* glass : {"", ", \"thin_walled\" on"}) {
+    const float open = below("", glass, .02f);
+    EXPECT_GT(open, .3f);
+    // With caustics the light that is reflected twice between the two faces counts as well.
+    const double ratio = below("caustic on", glass, .02f) / open;
+    EXPECT_GT(ratio, .998) << glass;
+    EXPECT_LT(ratio, 1.01) << glass;
+  }
+}
+
+struct Case {
+  const char* name;
+  void (*build)(SceneText& scene);
+  Vec3 place;
+  float half;
+  double blur = .02;  ///< difference by the blur of photon maps
+};
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+
+class Caustics : public ::testing::TestWithParam<Case> {
+ protected:
+  static SceneText scene(const std::string& lamp, const std::string& flags = "") {
+    SceneText scene = caustic_scene();
+    scene.lambert("floor", .5f).square("floor", Vec3(0), 8, kUp).light("lamp", lamp, flags);
+    GetParam().build(scene);
+    look_at_floor(scene, GetParam().place, GetParam().half, false, 2.5f);
+    return scene;
+  }
+};
+
+// acceptance: Q3
+TEST_P(Caustics, EqualPathsWithoutPhotons) {
+  SceneText text = scene(kLamp, "visible on");
+  const testing::Measured exact = brute_force(text, 3 << 20);
+  const float mean = rendered(text, "path");
+  EXPECT_LE(exact.error.y, .005f * exact.mean.y) << "too noisy";
+  EXPECT_NEAR(mean / exact.mean.y, 1, .01 + 3 * exact.error.y / exact.mean.y);
+  testing::figure(GetParam().name, exact.mean.y, mean, exact.error.y);
+}
+
+// acceptance: Q3
+TEST_P(Caustics, EqualPhotonMapsUnderAPoint) {
+  const SceneText text =
+      scene("\"mib_light_point\" ( \"color\" 20 20 20, \"shadow\" on ) origin 0 0 4");
+  const float photons = rendered(text, "fg+photons"), paths = rendered(text, "path");
+  EXPECT_NEAR(paths / photons, 1, GetParam().blur);
+  SceneText direct = text;
+  EXPECT_GT(paths, 1.02f * brute_force(direct, 1 << 16).mean.y) << "no caustic in view";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    CausticPictures, Caustics,
+    ::testing::Values(
+        Case{"glass_ball",
+             [](SceneText& s) {
+               s.material("thing", kSolid).sphere("thing", Vec3(0, 0, 1.2f), .8f, 64);
+             },
+             // The ball shows its focal spot enlarged.
+             Vec3(0), 1.2f, .045},
+        Case{"block",
+             [](SceneText& s) {
+               s.material("thing", kSolid).box("thing", Vec3(.2f, -.6f, .1f), Vec3(1, .6f, 1.3f));
+             },
+             Vec3(.9f, 0, 0), 1.2f},
+        Case{"metal_wall",
+             [](SceneText& s) {
+               s.material("thing", kMetal).box("thing", Vec3(1.4f, -1, .05f), Vec3(1.6f, 1, 1.5f));
+             },
+             Vec3(.7f, 0, 0), .6f}),
+    [](const auto& i) { return std::string(i.param.name); });
+
+TEST(PhotonAim, SendsAllLightThatMeetsTheSpheres) {
+  // A small mirror far away: the flux that it receives is known.
+  const struct {
+    const char* light;
+    double flux;  ///< on the mirror, of side .2
+  } kCases[] = {{"\"mib_light_point\" ( \"color\" 1 1 1 ) origin 0 0 4", .04 * std::numbers::pi},
+                {"\"mib_light_infinite\" ( \"color\" 1 1 1 ) direction .6 0 -.8",
+                 .04 * .8 * std::numbers::pi},
+                {"\"mib_light_spot\" ( \"color\" 1 1 1 ) origin 0 0 4 direction .1 0 -1 spread .8",
+                 .04 * std::numbers::pi}};
+  for (const auto& c : kCases) {
+    SceneText scene = caustic_scene();
+    scene.lambert("floor", .5f)
+        .material("mirror", kMetal)
+        .square("floor", Vec3(0), 8, kUp)
+        .square("mirror", Vec3(0, 0, 1), .1f, kUp)
+        .light("lamp", c.light);
+    const Probe probe(scene);
+    const SharpCaustics sharp(probe.world());
+    ASSERT_FALSE(sharp.empty());
+    const PhotonAim aim(PhotonSource(probe.world(), probe.world().lights[0]), sharp.spheres());
+    EXPECT_LT(aim.share(), .02f) << c.light;
+    PhotonSettings settings;
+    settings.globillum = false;
+    settings.sharp = &sharp;
+    settings.each.caustic = {.emit = 1 << 17};
+    RayCounts counts;
+    PhotonBalance balance;
+    trace_photons(probe.world(), settings, counts, &balance);
+    EXPECT_NEAR(balance.escaped.y, .8 * c.flux, .01 * c.flux) << c.light;
+  }
+}
+
+}  // namespace caustics_test
+}  // namespace oriel::cross_method

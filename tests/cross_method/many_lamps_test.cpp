@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Paths that learned which lamps reach them, and paths that did not.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "lights/light_sampler.h"
+#include "render/session.h"
+#include "scenes.h"
+#include "support/probe.h"
+#include "transport/path/pilot_paths.h"
+
+namespace oriel::cross_method {
+namespace many_lamps_test {
+
+using testing::kUp;
+using testing::Measured;
+using testing::Probe;
+
+/// A closed room of side 4 with opaque boxes and lamps of all shapes, at random.
+SceneText random_room(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto between = [&](float low, float high) {
+    return low + (high - low) * static_cast<float>(random()) / static_cast<float>(random.max());
+  };
+  SceneText scene(seed % 2 ? "trace depth 4 4 8 shadow segments" : "trace depth 4 4 8 shadow on");
+  scene.lambert("grey", .5f)
+      .material("glossy", "\"diffuse\" .4 .4 .4, \"reflectivity\" .4, \"refl_gloss\" .6")
+      .box("grey", Vec3(-2), Vec3(2), true);
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 centre(between(-1.5f, 1.5f), between(-1.5f, 1.5f), between(-2, -.4f));
+    const Vec3 half(between(.1f, .4f), between(.1f, .4f), between(.1f, .5f));
+    scene.box(i % 3 ? "grey" : "glossy", centre - half, centre + half);
+  }
+  for (int i = 0; i < 12; ++i) {
+    const std::string at = fmt::format(" origin {} {} {} ", between(-1.8f, 1.8f),
+                                       between(-1.8f, 1.8f), between(-.3f, 1.8f));
+    const float strength = between(.2f, 6);
+    const std::string physical =
+        fmt::format("\"physical_light\" ( \"color\" {0} {0} {0} )", strength);
+    const std::string shapes[] = {
+        physical + at,
+        physical + at + "direction .3 .2 -1 spread .7",
+        physical + at + "direction 0 0 -1 disc 0 0 -1 .1 2 2",
+        physical + at + "direction 0 0 -1 rectangle .3 0 0 0 .2 0 2 2",
+        physical + at + "sphere .08 2 2",
+        fmt::format("\"mib_light_point\" ( \"color\" {0} {0} {0}, \"shadow\" on )", strength / 20) +
+            at};
+    scene.light(fmt::format("lamp{}", i), shapes[random() % std::size(shapes)]);
+  }
+  return scene.camera("focal 1 aperture 1.6 aspect 1 resolution 32 32",
+                      "1 0 0 0  0 0 1 0  0 -1 0 0  0 0 -1.9 1");
+}
+
+class ManyLamps : public ::testing::TestWithParam<unsigned> {};
+
+// acceptance: Q2
+TEST_P(ManyLamps, KeepTheMean) {
+  constexpr int kSamples = 1 << 19;
+  const SceneText scene = random_room(GetParam());
+  Probe learned(scene);
+  const Measured with = learned.learned_lights().picture(kSamples);
+  const Measured without = Probe(scene).picture(kSamples);
+  for (int c = 0; c < 3; ++c) {
+    const float error = std::hypot(with.error[c], without.error[c]);
+    EXPECT_NEAR(with.mean[c], without.mean[c], 3 * error) << "channel " << c;
+    EXPECT_LE(error, .015f * without.mean[c]) << "too noisy";
+  }
+  testing::figure(fmt::format("lamps {}: squared error, without / with", GetParam()), 1,
+                  std::pow(without.error.y / with.error.y, 2.0f), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(CrossMethod, ManyLamps, ::testing::Range(1u, 11u));
+
+/// Two rooms side by side; the camera is in one, most lamps are in the other.
+SceneText lamps_next_door(const std::string& options = "") {
+  SceneText scene("trace depth 4 4 8 shadow segments " + options);
+  scene.lambert("grey", .5f)
+      .box("grey", Vec3(-2), Vec3(2), true)
+      .box("grey", Vec3(2.1f, -2, -2), Vec3(6, 2, 2), true);
+  for (int i = 0; i < 24; ++i)
+    scene.light(fmt::format("lamp{}", i),
+                fmt::format("\"physical_light\" ( \"color\" 5 5 5 ) origin {} {} 1.5",
+                            i < 3 ? -1 : 2.4f + .1f * float(i), -1.5f + .12f * float(i)));
+  return scene.camera("focal 1 aperture 1.6 aspect 1 resolution 96 96",
+                      "1 0 0 0  0 0 1 0  0 -1 0 0  0 0 -1.9 1");
+}
+
+TEST(ManyLamps, LampsBehindWallsTakeFewSamples) {
+  Probe learned(lamps_next_door());
+  learned.learned_lights();
+  const Measured with = learned.picture(1 << 16),
+                 without = Probe(lamps_next_door()).picture(1 << 16);
+  EXPECT_LT(std::pow(with.error.y / without.error.y, 2.0f), .7f);
+  EXPECT_NEAR(with.mean.y, without.mean.y, 3 * std::hypot(with.error.y, without.error.y));
+}
+
+TEST(ManyLamps, ChancesOfACellFollowItsLight) {
+  // Two points, two lights: each sees one of them, four times as bright in the root of the square.
+  const SurfaceTree::Point points[] = {{Vec3(0), kUp}, {Vec3(0), -kUp}};
+  const float squares[] = {16, 0, 0, 16};
+  const LearnedLights learned({Vec3(-1), Vec3(1)}, points, squares);
+  // The node above counts as half a point: here all points, whose own node above is black.
+  const double all = 16 / 2.5, own = (16 + .5 * all) / 1.5, other = .5 * all / 1.5;
+  const double share = std::sqrt(own) / (std::sqrt(own) + std::sqrt(other));
+  const LightChances up = learned.at(Vec3(.1f, .2f, 0), kUp), down = learned.at(Vec3(0), -kUp);
+  EXPECT_NEAR(up.probability[0], share, 1e-6);
+  EXPECT_FLOAT_EQ(up.probability[0] + up.probability[1], 1);
+  EXPECT_FLOAT_EQ(up.probability[0], down.probability[1]);
+  EXPECT_FLOAT_EQ(up.until[1], 1);
+  // Choices follow the probabilities, and the number that is left is uniform.
+  int first = 0;
+  double rest = 0;
+  constexpr int kDraws = 1000;
+  for (int i = 0; i < kDraws; ++i) {
+    float u = (float(i) + .5f) / kDraws;
+    first += up.choose(u) == 0;
+    rest += u;
+  }
+  EXPECT_NEAR(first / double(kDraws), up.probability[0], .002);
+  EXPECT_NEAR(rest / kDraws, .5, .01);
+}
+
+}  // namespace many_lamps_test
+}  // namespace oriel::cross_method
