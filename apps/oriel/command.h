@@ -45,6 +45,10 @@ Command add_shader_build_command(CLI::App& program);
 Command add_convert_command(CLI::App& program);
 Command add_quick_command(CLI::App& program);
 Command add_studio_command(CLI::App& program);
+Command add_pack_command(CLI::App& program);
+Command add_submit_command(CLI::App& program);
+Command add_status_command(CLI::App& program);
+Command add_work_command(CLI::App& program);
 /// All of them.
 std::vector<Command> add_commands(CLI::App& program);
 
