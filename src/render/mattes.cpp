@@ -32,11 +32,13 @@ void Mattes::clear() {
   for (std::vector<Entry>& entries : pixels_) entries.clear();
 }
 
-void Mattes::save(CheckpointWriter& out, const std::vector<Material>& materials) const {
+void Mattes::save(CheckpointWriter& out, const std::vector<Material>& materials,
+                  const std::vector<std::uint32_t>& pixels) const {
   std::vector<std::uint32_t> counts;
   std::vector<std::int32_t> surfaces;  // two numbers for each entry
   std::vector<float> samples;          // the same
-  for (const std::vector<Entry>& entries : pixels_) {
+  for (const std::uint32_t pixel : pixels) {
+    const std::vector<Entry>& entries = pixels_[pixel];
     counts.push_back(static_cast<std::uint32_t>(entries.size()));
     for (const Entry& e : entries) {
       const auto material = e.seen.material ? e.seen.material - materials.data() : -1;
@@ -50,8 +52,8 @@ void Mattes::save(CheckpointWriter& out, const std::vector<Material>& materials)
 }
 
 void Mattes::restore(CheckpointReader& in, const std::vector<Material>& materials,
-                     std::size_t instances) {
-  std::vector<std::uint32_t> counts(pixels_.size());
+                     std::size_t instances, const std::vector<std::uint32_t>& pixels) {
+  std::vector<std::uint32_t> counts(pixels.size());
   std::vector<std::int32_t> surfaces;
   std::vector<float> samples;
   in.array(counts);
@@ -65,16 +67,17 @@ void Mattes::restore(CheckpointReader& in, const std::vector<Material>& material
   const auto below = [](std::int32_t index, std::size_t count) {
     return index >= -1 && index < static_cast<std::int64_t>(count);
   };
-  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    std::vector<Entry>& entries = pixels_[pixels[i]];
     require(counts[i] <= (surfaces.size() - at) / 2);
-    pixels_[i].clear();
+    entries.clear();
     for (const std::size_t end = at + std::size_t{counts[i]} * 2; at < end; at += 2) {
       const std::int32_t instance = surfaces[at], material = surfaces[at + 1];
       require(below(instance, instances) && below(material, materials.size()));
       require(samples[at] >= 0 && std::isfinite(samples[at]) && samples[at + 1] >= 0 &&
               std::isfinite(samples[at + 1]));
       const FirstSurface seen{instance, material < 0 ? nullptr : &materials[std::size_t(material)]};
-      pixels_[i].push_back({seen, samples[at], samples[at + 1]});
+      entries.push_back({seen, samples[at], samples[at + 1]});
     }
   }
   require(at == surfaces.size());

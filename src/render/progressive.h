@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "render/film.h"
+#include "render/tiles.h"
 
 namespace oriel {
 
@@ -28,8 +29,9 @@ struct RenderBudget {
   bool operator==(const RenderBudget&) const = default;
 };
 
-/// MapsOnly: there is no picture, since the options request caches of indirect light only.
-enum class StopReason : std::uint8_t { Samples, Noise, Time, Cancelled, MapsOnly };
+/// MapsOnly: there is no picture, since the options request caches of indirect light only. Part:
+/// the further samples of a part depend on the pixels of the other parts.
+enum class StopReason : std::uint8_t { Samples, Noise, Time, Cancelled, MapsOnly, Part };
 
 /// Progress of a render.
 struct Progress {
@@ -54,6 +56,8 @@ struct Progress {
 ///          to the next n_k, and the render ends when no pixel is above it.
 ///          All this is decided between passes from the film alone, so the picture is the same for
 ///          any number of threads.
+///          A part of a picture draws the samples of its tiles. Passes with a noise target depend
+///          on the whole film: before them the part ends, see next_targets() and raise_targets().
 ///          Noise of a pixel: error of its brightness over sqrt(L M), L its brightness and M the
 ///          picture's. Dark regions may thus be noisier than bright ones, which is less visible
 ///          there, and the noise does not depend on the unit of the scene. The error is the
@@ -83,8 +87,7 @@ class Progressive {
     std::function<void()> paused;
   };
 
-  Progressive(Film& film, const RenderBudget& budget);
-  Progressive(Film& film, const RenderBudget& budget, State state);
+  Progressive(Film& film, const RenderBudget& budget, const PicturePart& part = {});
 
   /// Calls sample(x, y, index, FilmSample&) for each sample, concurrently.
   /// Inputs:  cancel: ends the render soon after it becomes true; may be null.
@@ -99,8 +102,19 @@ class Progressive {
   /// Returns: false if the state fits neither film nor budget; it is then unchanged.
   bool restore(State state);
 
+  /// Decides on the film as it is, without drawing samples, whether the render is done.
+  /// Returns: why it is; nothing if next_targets() has more samples.
+  std::optional<StopReason> judge();
+  /// The samples that each pixel reaches in the pass after judge().
+  const std::vector<std::uint32_t>& next_targets() const { return next_.targets; }
+  /// Sets the targets of the running pass, which only increase; those of other parts are ignored.
+  /// Returns: false if they do not fit film and budget; nothing is changed then.
+  bool raise_targets(const std::vector<std::uint32_t>& targets);
+
   const State& state() const { return state_; }
   Progress progress() const;
+  /// The pixels of the part, tile by tile.
+  const std::vector<std::uint32_t>& pixels() const { return pixels_; }
 
  private:
   struct Row {
@@ -120,6 +134,7 @@ class Progressive {
   };
   Plan plan(const std::vector<Film::Estimate>& estimates, float noise) const;
   bool plan_grows() const;
+  std::optional<StopReason> plan_stops() const;
   void plan_for_picture(Plan& plan, const std::vector<Film::Estimate>& estimates,
                         float noise) const;
   void plan_for_pixels(Plan& plan, const std::vector<Film::Estimate>& estimates) const;
@@ -129,6 +144,7 @@ class Progressive {
   void estimate(double seconds_of_run, double samples_of_run);
   std::vector<float> pooled_variance(const std::vector<Film::Estimate>& estimates,
                                      float Film::Estimate::*error) const;
+  double mean_samples() const;
   double done_share(double mean_samples) const;
   bool pass_is_complete() const;
   double elapsed() const;
@@ -139,6 +155,9 @@ class Progressive {
 
   Film& film_;
   RenderBudget budget_;
+  bool is_whole_;
+  std::vector<int> tiles_;             ///< of the part
+  std::vector<std::uint32_t> pixels_;  ///< of the tiles
   State state_;
   Progress last_;              ///< as of the last complete pass
   Plan next_;                  ///< the same
