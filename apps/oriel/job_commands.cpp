@@ -27,7 +27,7 @@ struct StatusArguments {
 
 struct WorkArguments {
   std::string job;
-  std::optional<int> task;
+  std::optional<int> task, maps;
   bool merge = false, all = false;
 };
 
@@ -98,17 +98,25 @@ int run_status(const StatusArguments& a) {
 
 /// On this machine, without a workload manager.
 int work_on_all(const farm::Job& job) {
-  for (const int task : farm::missing_tasks(job))
-    if (const int status = farm::work_task(job, task); status == farm::kStopped) return status;
-  return farm::work_merge(job, false);
+  for (;;) {
+    for (const int task : farm::missing_tasks(job))
+      if (const int status = farm::work_task(job, task); status == farm::kStopped) return status;
+    // A noise target may ask for another round.
+    if (const int status = farm::work_merge(job, false); status != farm::kStopped) return status;
+  }
 }
 
 int run_work(const WorkArguments& a) {
-  if (int(a.task.has_value()) + int(a.merge) + int(a.all) != 1)
-    throw UsageError("one of --task, --merge and --all is required");
+  if (int(a.task.has_value()) + int(a.maps.has_value()) + int(a.merge) + int(a.all) != 1)
+    throw UsageError("one of --task, --maps, --merge and --all is required");
   const farm::Job job = farm::read_job(a.job);
   if (a.all) return work_on_all(job);
   if (a.merge) return farm::work_merge(job, farm::is_in_path("sbatch"));
+  if (a.maps) {
+    if (*a.maps >= static_cast<int>(job.frames.size()))
+      throw UserError(fmt::format("the job has {} frames, from 0 on", job.frames.size()));
+    return farm::work_maps(job, *a.maps);
+  }
   if (*a.task >= job.task_count())
     throw UserError(fmt::format("the job has {} tasks, from 0 on", job.task_count()));
   return farm::work_task(job, *a.task);
@@ -132,6 +140,8 @@ Command add_work_command(CLI::App& program) {
       ->required()
       ->check(CLI::ExistingDirectory);
   command->add_option("--task", a->task, "Task to render, counted from 0")
+      ->check(CLI::Range(0, 10'000'000));
+  command->add_option("--maps", a->maps, "Frame whose maps are computed, counted from 0")
       ->check(CLI::Range(0, 10'000'000));
   command->add_flag("--merge", a->merge,
                     "Check and merge all parts; submit missing ones again if Slurm is there");

@@ -31,7 +31,7 @@ struct SubmitArguments {
   std::vector<std::string> sbatch, render;
   std::string stage;
   double stagger = 0;
-  bool dry_run = false;
+  bool maps = false, dry_run = false;
 };
 
 /// The default of Slurm.
@@ -39,9 +39,10 @@ constexpr int kMaxArraySize = 1001;
 constexpr int kPartsOfStills = 4;
 
 /// Words of render that the job sets itself.
-constexpr const char* kOwnOptions[] = {"-o",       "--output",     "--part",    "--frames",
-                                       "--resume", "--checkpoint", "--threads", "--skip-existing",
-                                       "--live",   "--json",       "--denoise", "--time"};
+constexpr const char* kOwnOptions[] = {"-o",        "--output",     "--part",    "--frames",
+                                       "--resume",  "--checkpoint", "--threads", "--skip-existing",
+                                       "--maps",    "--maps-only",  "--live",    "--json",
+                                       "--denoise", "--time"};
 
 /// The name of the picture without its suffix and without # for the frame.
 std::string plain_stem(const std::string& output) {
@@ -118,11 +119,12 @@ farm::Job make_job(const SubmitArguments& a, const farm::PackReport& packed,
   job.scene = packed.scene;
   job.frames = frames_of(a, packed.frames);
   const std::string output = fs::absolute(a.output).lexically_normal().string();
-  for (const int frame : job.frames)
-    job.outputs.push_back(packed.frames == 1 ? output : frame_path(output, frame));
+  job.output = output;
+  for (const int frame : job.frames) job.outputs.push_back(frame_path(output, frame));
   const int still = a.resources.nodes > 0 ? a.resources.nodes : kPartsOfStills;
   job.parts = a.parts > 0 ? a.parts : job.frames.size() == 1 ? still : 1;
   job.retries = a.retries;
+  job.maps = a.maps && job.parts > 1;
   job.libraries = packed.has_libraries;
   job.code = packed.has_code;
   if (!a.stage.empty()) job.stage = fs::absolute(a.stage).string();
@@ -140,9 +142,12 @@ std::vector<int> all_tasks(const farm::Job& job) {
 }
 
 void print_dry_run(const farm::Job& job) {
-  fmt::print("# {}\n{}\n# {}\n{}\n# commands\n{}\n{}\n", job.path("render.sh"), render_script(job),
-             job.path("merge.sh"), merge_script(job),
-             farm::shell_line(render_submission(job, all_tasks(job))),
+  if (job.maps) fmt::print("# {}\n{}\n", job.path("maps.sh"), maps_script(job));
+  fmt::print("# {}\n{}\n# {}\n{}\n# commands\n", job.path("render.sh"), render_script(job),
+             job.path("merge.sh"), merge_script(job));
+  if (job.maps) fmt::print("{}\n", farm::shell_line(maps_submission(job)));
+  fmt::print("{}\n{}\n",
+             farm::shell_line(render_submission(job, all_tasks(job), job.maps ? "MAPSID" : "")),
              farm::shell_line(merge_submission(job, "JOBID")));
 }
 
@@ -182,10 +187,11 @@ int run_submit(const SubmitArguments& a) {
   const farm::PackReport packed = pack(a.pack, folder + "/scene");
   farm::Job job = make_job(a, packed, folder);
   job.chunk = farm::chunk_for(job.unit_count(), max_array_size());
-  for (const char* name : {"log", "parts", "units"}) fs::create_directories(job.path(name));
+  for (const char* name : {"log", "maps", "parts", "units"}) fs::create_directories(job.path(name));
   fs::create_directories(fs::path(job.outputs[0]).parent_path());
   write_durably(job.path("render.sh"), render_script(job), 0777);
   write_durably(job.path("merge.sh"), merge_script(job), 0777);
+  if (job.maps) write_durably(job.path("maps.sh"), maps_script(job), 0777);
   farm::write_job(job);
   const std::string id = farm::submit_tasks(job, all_tasks(job));
   fmt::print("job {}: {} {} in {} tasks; see oriel status {}\n", id, job.unit_count(),
@@ -233,6 +239,9 @@ Command add_submit_command(CLI::App& program) {
       ->add_option("--parts", a->parts,
                    "Parts of each frame (default: 1; for a single frame --nodes, else 4)")
       ->check(CLI::Range(1, 100000));
+  command->add_flag("--maps", a->maps,
+                    "Compute photon maps and final gather points once for each frame, before its "
+                    "parts, instead of once for each part");
   add_resource_options(*command, a->resources);
   command
       ->add_option("--retries", a->retries,

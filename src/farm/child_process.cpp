@@ -45,7 +45,7 @@ struct Pipe {
   Descriptor read, write;
 };
 
-/// Keeps the last line that is not empty.
+/// Keeps the last error, else the last line that is not empty nor a hint.
 class LastLine {
  public:
   void add(std::string_view text) {
@@ -54,17 +54,23 @@ class LastLine {
         if (line_.size() < kLongest) line_ += c;
         continue;
       }
-      if (line_.find_first_not_of(" \t") != std::string::npos) last_ = line_;
-      line_.clear();
+      end_line();
     }
   }
-  std::string text() const {
-    return line_.find_first_not_of(" \t") != std::string::npos ? line_ : last_;
+  std::string text() {
+    end_line();
+    return error_.empty() ? last_ : error_;
   }
 
  private:
   static constexpr std::size_t kLongest = 1000;
-  std::string line_, last_;
+  void end_line() {
+    const std::size_t text = line_.find_first_not_of(" \t");
+    if (text != std::string::npos && line_.compare(text, 5, "hint:") != 0) last_ = line_;
+    if (line_.find("error") != std::string::npos) error_ = line_;
+    line_.clear();
+  }
+  std::string line_, last_, error_;
 };
 
 void write_all(int descriptor, std::string_view text) {

@@ -9,9 +9,10 @@ namespace oriel::farm {
 
 /// What a program left behind.
 struct ChildResult {
-  int status = -1;           ///< exit status; 128 + N after signal N; 127: it could not be started
-  std::string out;           ///< standard output, if captured
-  std::string last_message;  ///< last line of standard error that is not empty
+  int status = -1;  ///< exit status; 128 + N after signal N; 127: it could not be started
+  std::string out;  ///< standard output, if captured
+  /// The last error on standard error, else the last line that is not empty nor a hint.
+  std::string last_message;
 };
 
 /// What happens to the output of a program. Its last message is noted in any case.

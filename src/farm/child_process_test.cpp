@@ -18,6 +18,15 @@ TEST(ChildProcess, OutputStatusAndLastMessage) {
   EXPECT_EQ(result.last_message, "last");
 }
 
+TEST(ChildProcess, ErrorsComeBeforeOtherMessages) {
+  const auto message = [](const std::string& lines) {
+    return run_child({"sh", "-c", "printf '" + lines + "' >&2"}, ChildOutput::Query).last_message;
+  };
+  EXPECT_EQ(message("a: error: x\\n    hint: y\\n"), "a: error: x");
+  EXPECT_EQ(message("note\\n    hint: y\\n"), "note");
+  EXPECT_EQ(message("a: error: x\\nprogress\\n"), "a: error: x");
+}
+
 TEST(ChildProcess, SignalsAndMissingPrograms) {
   EXPECT_EQ(run_child({"sh", "-c", "kill -9 $$"}, ChildOutput::Capture).status, 128 + 9);
   EXPECT_EQ(run_child({"oriel-no-such-program"}, ChildOutput::Capture).status, 127);

@@ -78,12 +78,12 @@ std::string Job::unit_name(int index) const {
   return fmt::format("frame {}{}{}", u.frame, part.empty() ? "" : ", ", part);
 }
 
-std::string Job::part_output(int frame) const {
-  return path(fmt::format("parts/frame-{:04}.exr", frame));
+std::string Job::part_file(int frame, int part, const std::string& eye) const {
+  return path(fmt::format("parts/frame-{:04}{}.part-{}-of-{}", frame, eye, part, parts));
 }
 
-std::string Job::part_file(int frame, int part) const {
-  return path(fmt::format("parts/frame-{:04}.part-{}-of-{}", frame, part, parts));
+std::string Job::maps_file(int frame) const {
+  return fmt::format("{}/frame-{:04}.maps", maps_folder(), frame);
 }
 
 std::string Job::record_file(int index) const {
@@ -93,7 +93,8 @@ std::string Job::record_file(int index) const {
 
 void write_job(const Job& job) {
   const json value = {{"name", job.name},           {"program", job.program},
-                      {"scene", job.scene},         {"outputs", job.outputs},
+                      {"scene", job.scene},         {"output", job.output},
+                      {"maps", job.maps},           {"outputs", job.outputs},
                       {"frames", job.frames},       {"parts", job.parts},
                       {"chunk", job.chunk},         {"retries", job.retries},
                       {"libraries", job.libraries}, {"code", job.code},
@@ -112,6 +113,8 @@ Job read_job(const std::string& folder) {
     job.name = from.at("name");
     job.program = from.at("program");
     job.scene = from.at("scene");
+    job.output = from.at("output");
+    job.maps = from.at("maps");
     job.outputs = from.at("outputs").get<std::vector<std::string>>();
     job.frames = from.at("frames").get<std::vector<int>>();
     job.parts = from.at("parts");
@@ -166,12 +169,19 @@ bool has_picture(const Job& job, int frame_index) {
          fs::is_regular_file(eye_path(output, Eye::Left), error);
 }
 
-bool is_done(const Job& job, int unit) {
+std::vector<std::string> part_files(const Job& job, int unit) {
   const Job::Unit u = job.unit(unit);
+  std::vector<std::string> files;
   std::error_code error;
+  for (const char* eye : {"", "_left", "_right"})
+    if (std::string file = job.part_file(u.frame, u.part, eye); fs::is_regular_file(file, error))
+      files.push_back(std::move(file));
+  return files;
+}
+
+bool is_done(const Job& job, int unit) {
   return read_record(job, unit).state == State::Done &&
-         (fs::is_regular_file(job.part_file(u.frame, u.part), error) ||
-          has_picture(job, unit / job.parts));
+         (!part_files(job, unit).empty() || has_picture(job, unit / job.parts));
 }
 
 int chunk_for(int units, int max_tasks) {

@@ -22,12 +22,14 @@ struct Job {
   std::string name;     ///< plain, for lists of jobs
   std::string program;  ///< absolute path of oriel
   std::string scene;    ///< name of the scene in the folder "scene"
+  std::string output;   ///< absolute path of the pictures; # stands for the frame
   std::vector<int> frames = {1};
   std::vector<std::string> outputs;  ///< absolute path of the picture of each frame
   int parts = 1;                     ///< of each frame
   int chunk = 1;
   int retries = 2;                       ///< times that missing units are submitted again
   bool libraries = false, code = false;  ///< of the scene: see PackReport
+  bool maps = false;   ///< maps of indirect light are computed once for all parts of a frame
   std::string stage;   ///< folder on the nodes to which the scene is copied; empty: none
   double stagger = 0;  ///< seconds between the first reads of two tasks
   std::vector<std::string> render;  ///< further words of oriel render
@@ -50,8 +52,11 @@ struct Job {
   const std::string& output_of(int frame_index) const {
     return outputs[static_cast<std::size_t>(frame_index)];
   }
-  std::string part_output(int frame) const;          ///< -o of the parts of a frame
-  std::string part_file(int frame, int part) const;  ///< what the render of a part writes
+  std::string part_output() const { return path("parts/frame-####.exr"); }  ///< -o of all parts
+  /// What the render of a part writes; `eye`: "" or, of stereo cameras, "_left" or "_right".
+  std::string part_file(int frame, int part, const std::string& eye = "") const;
+  std::string maps_folder() const { return path("maps"); }
+  std::string maps_file(int frame) const;
   std::string record_file(int unit) const;
 };
 
@@ -75,6 +80,9 @@ Job read_job(const std::string& folder);
 void write_record(const Job& job, int unit, const UnitRecord& record);
 /// Waiting if there is no record or it is damaged.
 UnitRecord read_record(const Job& job, int unit);
+
+/// The files of a part that exist: one, or one for each eye.
+std::vector<std::string> part_files(const Job& job, int unit);
 
 /// Whether the picture of a frame exists, or that of its left eye.
 bool has_picture(const Job& job, int frame_index);

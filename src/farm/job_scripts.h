@@ -24,9 +24,13 @@ std::string shell_line(const std::vector<std::string>& words);
 /// Checked: JobScripts.*, tests/farm
 std::string render_script(const Job& job);
 std::string merge_script(const Job& job);
+/// Computes the maps of one frame: the task is the index of the frame.
+std::string maps_script(const Job& job);
 
-/// sbatch and its arguments; `tasks` as for --array.
-std::vector<std::string> render_submission(const Job& job, const std::vector<int>& tasks);
+/// sbatch and its arguments; `after`: id of the job of the maps, or empty.
+std::vector<std::string> render_submission(const Job& job, const std::vector<int>& tasks,
+                                           const std::string& after = "");
+std::vector<std::string> maps_submission(const Job& job);
 /// Merges after the job with this id, whether it failed or not.
 std::vector<std::string> merge_submission(const Job& job, const std::string& after);
 

@@ -20,6 +20,8 @@ class FarmJob : public ::testing::Test {
     made.name = "house";
     made.program = "/usr/bin/oriel";
     made.scene = "house.mi";
+    made.output = folder_.file("#.exr");
+    made.maps = true;
     made.frames = {1, 2, 7};
     made.outputs = {folder_.file("a b'\".1.exr"), folder_.file("2.exr"), folder_.file("7.exr")};
     made.parts = 4;
@@ -61,6 +63,8 @@ TEST_F(FarmJob, JobsAreReadAsWritten) {
   EXPECT_EQ(read.folder, made.folder);
   EXPECT_EQ(read.frames, made.frames);
   EXPECT_EQ(read.outputs, made.outputs);
+  EXPECT_EQ(read.output, made.output);
+  EXPECT_TRUE(read.maps);
   EXPECT_EQ(read.chunk, 5);
   EXPECT_EQ(read.render, made.render);
   EXPECT_EQ(read.resources.time, "1:00:00");

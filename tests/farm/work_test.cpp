@@ -16,20 +16,31 @@ constexpr const char* kOriel = R"sh(#!/bin/sh
 here=$(dirname "$0")
 printf '%s|' "$@" >>"$here/calls"
 echo >>"$here/calls"
-if [ "$1" = merge ]; then
-  while [ $# -gt 1 ]; do shift; done
-  echo picture >"$1"
-  exit
-fi
-frame=1
+frame=1 first=$2
 while [ $# -gt 0 ]; do
   case $1 in
     --part) part=${2%/*} parts=${2#*/} ;;
     --frames) frame=$2 ;;
     -o) output=$2 ;;
+    --maps-only) maps=$2 ;;
+    merge) merge=1 ;;
   esac
   shift
 done
+if [ -n "$merge" ]; then
+  if [ -e "$here/again" ]; then
+    rm "$here/again"
+    exit 75
+  fi
+  frame=$(echo "$first" | sed 's/.*frame-0*\([0-9]*\)[.]part.*/\1/')
+  echo picture >"$(echo "$output" | sed "s/#/$frame/")"
+  exit
+fi
+if [ -n "$maps" ]; then
+  echo maps >"$maps/frame-000$frame.maps"
+  exit
+fi
+output=$(echo "$output" | sed "s/####/000$frame/")
 if [ -e "$here/fail-$frame-$part" ]; then
   echo "oriel: frame $frame, part $part: no texture" >&2
   exit 1
@@ -184,6 +195,44 @@ TEST_F(FarmWork, ATaskNearItsLimitIsRequeued) {
   EXPECT_EQ(work({"--task", "1"}).exit_code, 0);
   EXPECT_EQ(work({"--merge"}).exit_code, 0);
   EXPECT_TRUE(fs::exists(picture(1)));
+}
+
+TEST_F(FarmWork, MapsAreComputedOnceBeforeTheParts) {
+  ASSERT_EQ(submit({"--frames", "1", "--parts", "2", "--maps"}).exit_code, 0);
+  EXPECT_NE(slurm().find("|--array=0-0|"), std::string::npos) << slurm();
+  EXPECT_NE(slurm().find("/maps.sh|\n"), std::string::npos) << slurm();
+  EXPECT_NE(slurm().find("|--array=0-1|--dependency=afterany:2|"), std::string::npos) << slurm();
+  ASSERT_EQ(work({"--maps", "0"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(in_job("maps/frame-0001.maps")));
+  ASSERT_EQ(work({"--task", "0"}).exit_code, 0);
+  EXPECT_EQ(work({"--maps", "0"}).exit_code, 0);
+  const std::string all = calls();
+  EXPECT_EQ(all.find("--maps-only"), all.rfind("--maps-only")) << all;
+  EXPECT_NE(all.find("|--maps|" + fs::canonical(in_job("maps")).string() + "|"), all.npos) << all;
+  // A task does not depend on the job of the maps.
+  fs::remove(in_job("maps/frame-0001.maps"));
+  ASSERT_EQ(work({"--task", "1"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(in_job("maps/frame-0001.maps")));
+}
+
+TEST_F(FarmWork, ANoiseTargetMayAskForAnotherRound) {
+  ASSERT_EQ(submit({"--frames", "1", "--parts", "2", "--retries", "0"}).exit_code, 0);
+  for (const char* task : {"0", "1"}) ASSERT_EQ(work({"--task", task}).exit_code, 0);
+  write("bin/again", "");
+  EXPECT_EQ(work({"--merge"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(picture(1)));
+  // Both parts are submitted again, which is no retry of a failure.
+  EXPECT_NE(slurm().rfind("|--array=0-1|"), slurm().find("|--array=0-1|")) << slurm();
+  for (const char* task : {"0", "1"}) ASSERT_EQ(work({"--task", task}).exit_code, 0);
+  EXPECT_EQ(record(1, 2)["attempts"], 2);
+  EXPECT_EQ(work({"--merge"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(picture(1)));
+  // One part decides itself.
+  write("bin/again", "");
+  fs::remove_all(file(kJob));
+  ASSERT_EQ(submit({"--frames", "2", "--parts", "1"}).exit_code, 0);
+  EXPECT_EQ(work({"--task", "0"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(picture(2)));
 }
 
 TEST_F(FarmWork, OneMachineCanRenderAllOfIt) {
