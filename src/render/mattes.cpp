@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/byte_stream.h"
+
 namespace oriel {
 
 Mattes::Mattes(int width, int height, const FilterSampler& filter, MatteNames names)
@@ -32,7 +34,8 @@ void Mattes::clear() {
   for (std::vector<Entry>& entries : pixels_) entries.clear();
 }
 
-void Mattes::save(CheckpointWriter& out, const std::vector<Material>& materials,
+template <class Writer>
+void Mattes::save(Writer& out, const std::vector<Material>& materials,
                   const std::vector<std::uint32_t>& pixels) const {
   std::vector<std::uint32_t> counts;
   std::vector<std::int32_t> surfaces;  // two numbers for each entry
@@ -51,7 +54,8 @@ void Mattes::save(CheckpointWriter& out, const std::vector<Material>& materials,
   out.list(samples);
 }
 
-void Mattes::restore(CheckpointReader& in, const std::vector<Material>& materials,
+template <class Reader>
+void Mattes::restore(Reader& in, const std::vector<Material>& materials,
                      std::size_t instances, const std::vector<std::uint32_t>& pixels) {
   std::vector<std::uint32_t> counts(pixels.size());
   std::vector<std::int32_t> surfaces;
@@ -82,6 +86,15 @@ void Mattes::restore(CheckpointReader& in, const std::vector<Material>& material
   }
   require(at == surfaces.size());
 }
+
+template void Mattes::save(CheckpointWriter&, const std::vector<Material>&,
+                           const std::vector<std::uint32_t>&) const;
+template void Mattes::save(ByteWriter&, const std::vector<Material>&,
+                           const std::vector<std::uint32_t>&) const;
+template void Mattes::restore(CheckpointReader&, const std::vector<Material>&, std::size_t,
+                              const std::vector<std::uint32_t>&);
+template void Mattes::restore(ByteReader&, const std::vector<Material>&, std::size_t,
+                              const std::vector<std::uint32_t>&);
 
 std::vector<Mattes::Share> Mattes::shares(int x, int y) const {
   const std::vector<Entry>& entries =

@@ -351,6 +351,33 @@ void Progressive::render_tile(int tile, const std::function<std::uint64_t(const 
   callbacks.progress(p);
 }
 
+void Progressive::loop_over(const std::vector<int>& tiles,
+                            const std::function<std::uint64_t(const Row&)>& render_row) {
+  const TileGrid grid(film_.width(), film_.height());
+  cancelled_ = timed_out_ = paused_ = false;
+  parallel_for(tiles.size(), [&](std::size_t i) {
+    const TileBounds b = grid.bounds(tiles[i]);
+    for (int y = b.y0; y < b.y1; ++y) drawn_ += render_row({b.x0, b.x1, y});
+  });
+}
+
+/// The tiles that the running pass still has to render, those with most samples first.
+std::vector<int> Progressive::incomplete_tiles() const {
+  const TileGrid grid(film_.width(), film_.height());
+  std::vector<std::pair<std::uint64_t, int>> missing;
+  for (const int tile : tiles_) {
+    std::uint64_t samples = 0;
+    for (const std::uint32_t i : grid.pixels({tile}))
+      samples += state_.targets[i] - std::min(film_.samples(i), state_.targets[i]);
+    if (samples > 0) missing.emplace_back(samples, tile);
+  }
+  std::stable_sort(missing.begin(), missing.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<int> tiles;
+  for (const auto& [samples, tile] : missing) tiles.push_back(tile);
+  return tiles;
+}
+
 /// Draws the samples of a pass, with pauses.
 void Progressive::run_pass(const std::function<std::uint64_t(const Row&)>& render_row,
                            const Callbacks& callbacks, const std::atomic<bool>* cancel) {

@@ -81,10 +81,17 @@ class Progressive {
   /// each pass, while the film does not change. `wants_pause` is called often, from any thread;
   /// after it returned true, all threads stop between two samples, and `paused` is called once.
   /// Then the pass continues.
+  /// `spread` may be empty; else it calls the function for tiles, concurrently, in place of a loop
+  /// on this machine, until all of them have their samples or `stops` returns true; other processes
+  /// may render some of them.
+  using TileLoop = std::function<void(const std::vector<int>& tiles,
+                                      const std::function<void(int tile)>& render_tile,
+                                      const std::function<bool()>& stops)>;
   struct Callbacks {
     std::function<void(const Progress&)> progress, pass;
     std::function<bool()> wants_pause;
     std::function<void()> paused;
+    TileLoop spread = {};
   };
 
   Progressive(Film& film, const RenderBudget& budget, const PicturePart& part = {});
@@ -94,6 +101,14 @@ class Progressive {
   template <class Sample>
   StopReason run(const Sample& sample, const Callbacks& callbacks = {},
                  const std::atomic<bool>* cancel = nullptr);
+
+  /// Draws the samples of some tiles up to given targets: the work of another process.
+  template <class Sample>
+  void draw_tiles(const Sample& sample, const std::vector<int>& tiles);
+  /// Sets targets of pixels without tests, before draw_tiles().
+  std::vector<std::uint32_t>& targets() { return state_.targets; }
+  /// Counts samples that another process drew.
+  void count_drawn(std::uint64_t samples) { drawn_ += samples; }
 
   /// Counts the time from then on; before the first run.
   void begin_at(std::chrono::steady_clock::time_point start);
@@ -122,6 +137,12 @@ class Progressive {
   };
   /// Samples between tests whether a row has to stop: at most a few milliseconds.
   static constexpr std::uint64_t kSamplesBetweenTests = 64;
+  template <class Sample>
+  std::function<std::uint64_t(const Row&)> row_renderer(const Sample& sample,
+                                                        const Callbacks& callbacks,
+                                                        const std::atomic<bool>* cancel);
+  void loop_over(const std::vector<int>& tiles,
+                 const std::function<std::uint64_t(const Row&)>& render_row);
   StopReason run_rows(const std::function<std::uint64_t(const Row&)>& render_row,
                       const Callbacks& callbacks, const std::atomic<bool>* cancel);
   void run_pass(const std::function<std::uint64_t(const Row&)>& render_row,
@@ -147,6 +168,7 @@ class Progressive {
   double mean_samples() const;
   double done_share(double mean_samples) const;
   bool pass_is_complete() const;
+  std::vector<int> incomplete_tiles() const;
   double elapsed() const;
   /// Without the time of earlier runs, from whose checkpoint this one continues.
   double elapsed_here() const { return elapsed() - elapsed_elsewhere_; }
@@ -200,9 +222,9 @@ float picture_brightness(const std::vector<Film::Estimate>& estimates);
 std::uint32_t next_pass_target(std::uint32_t samples);
 
 template <class Sample>
-StopReason Progressive::run(const Sample& sample, const Callbacks& callbacks,
-                            const std::atomic<bool>* cancel) {
-  const auto render_row = [&](const Row& row) {
+std::function<std::uint64_t(const Progressive::Row&)> Progressive::row_renderer(
+    const Sample& sample, const Callbacks& callbacks, const std::atomic<bool>* cancel) {
+  return [this, &sample, &callbacks, cancel](const Row& row) {
     std::uint64_t drawn = 0;
     for (int x = row.x0; x < row.x1; ++x) {
       const auto pixel = static_cast<std::size_t>(row.y) * static_cast<std::size_t>(film_.width()) +
@@ -216,7 +238,18 @@ StopReason Progressive::run(const Sample& sample, const Callbacks& callbacks,
     }
     return drawn;
   };
-  return run_rows(render_row, callbacks, cancel);
+}
+
+template <class Sample>
+StopReason Progressive::run(const Sample& sample, const Callbacks& callbacks,
+                            const std::atomic<bool>* cancel) {
+  return run_rows(row_renderer(sample, callbacks, cancel), callbacks, cancel);
+}
+
+template <class Sample>
+void Progressive::draw_tiles(const Sample& sample, const std::vector<int>& tiles) {
+  const Callbacks none;
+  loop_over(tiles, row_renderer(sample, none, nullptr));
 }
 
 }  // namespace oriel

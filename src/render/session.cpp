@@ -8,6 +8,7 @@
 #include <mutex>
 #include <utility>
 
+#include "base/byte_stream.h"
 #include "color/luminance.h"
 #include "render/eye_rays.h"
 #include "render/pixel_state.h"
@@ -134,8 +135,8 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, PathRecord& 
   return s;
 }
 
-StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks& callbacks,
-                               const std::atomic<bool>* cancel) {
+template <class Draw>
+void RenderSession::with_sampler(const Draw& draw) {
   const RecordRequest request{.aovs = film_.keeps_outputs(),
                               .irradiance = irradiance_,
                               .first_surfaces = mattes_.has_value(),
@@ -161,8 +162,14 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
     for (const PerThread& thread : threads) sum += thread.counts;
     return sum;
   };
-  const StopReason reason = passes.run(draw_one, callbacks, cancel);
+  draw(draw_one);
   rays_ += std::exchange(rays_of_threads_, nullptr)();
+}
+
+StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks& callbacks,
+                               const std::atomic<bool>* cancel) {
+  StopReason reason{};
+  with_sampler([&](const auto& draw_one) { reason = passes.run(draw_one, callbacks, cancel); });
   return reason;
 }
 
@@ -311,6 +318,39 @@ void RenderSession::read_maps(CheckpointReader& in) {
   visit_counts(in, rays_of_maps_);
   in.end();
   prepared_ = state_is_whole_ = true;
+}
+
+std::string RenderSession::pack_tiles(const std::vector<int>& tiles) {
+  ByteWriter out;
+  visit_pixels(out, TileGrid(film_.width(), film_.height()).pixels(tiles), progressive_.targets());
+  return out.take();
+}
+
+void RenderSession::unpack_tiles(const std::vector<int>& tiles, std::string_view bytes) {
+  ByteReader in(bytes);
+  visit_pixels(in, TileGrid(film_.width(), film_.height()).pixels(tiles), progressive_.targets());
+}
+
+RayCounts RenderSession::draw_tiles(const std::vector<int>& tiles) {
+  const RayCounts before = std::exchange(rays_, {});
+  with_sampler([&](const auto& draw_one) { progressive_.draw_tiles(draw_one, tiles); });
+  const RayCounts drawn = rays_;
+  rays_ += before;
+  return drawn;
+}
+
+void RenderSession::add_tiles(const std::vector<int>& tiles, std::string_view bytes,
+                              const RayCounts& rays) {
+  const std::vector<std::uint32_t> pixels = TileGrid(film_.width(), film_.height()).pixels(tiles);
+  const auto samples = [&] {
+    std::uint64_t sum = 0;
+    for (const std::uint32_t i : pixels) sum += film_.samples(i);
+    return sum;
+  };
+  const std::uint64_t before = samples();
+  unpack_tiles(tiles, bytes);
+  progressive_.count_drawn(samples() - before);
+  rays_ += rays;
 }
 
 void RenderSession::add_part(CheckpointReader& in, const PicturePart& part) {

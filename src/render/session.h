@@ -90,6 +90,17 @@ class RenderSession {
   void save_maps(CheckpointWriter& out);
   void read_maps(CheckpointReader& in);
 
+  /// Writes the pixels of tiles and the samples that they have to reach, for a session of another
+  /// process with the same world and settings; or reads them.
+  /// Errors:  std::runtime_error.
+  std::string pack_tiles(const std::vector<int>& tiles);
+  void unpack_tiles(const std::vector<int>& tiles, std::string_view bytes);
+  /// Draws their missing samples, after prepare() or read_maps().
+  /// Returns: the rays of this call.
+  RayCounts draw_tiles(const std::vector<int>& tiles);
+  /// Reads tiles that draw_tiles() of another process completed. The running pass is not paused.
+  void add_tiles(const std::vector<int>& tiles, std::string_view bytes, const RayCounts& rays);
+
   /// Adds the pixels of a part that another session saved without caches. World and settings must
   /// be the same, except that this session has the whole picture.
   /// Errors:  CheckpointError; the session can then not be used any more.
@@ -135,6 +146,9 @@ class RenderSession {
   template <class Checkpoint>
   void visit_pixels(Checkpoint& checkpoint, const std::vector<std::uint32_t>& pixels,
                     std::vector<std::uint32_t>& targets);
+  /// Calls draw(sample) with a function that draws one sample, and counts its rays.
+  template <class Draw>
+  void with_sampler(const Draw& draw);
   StopReason draw(Progressive& passes, const Progressive::Callbacks& callbacks,
                   const std::atomic<bool>* cancel);
 

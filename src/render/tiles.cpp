@@ -23,6 +23,9 @@ std::uint64_t hilbert_distance(std::uint32_t x, std::uint32_t y, int levels) {
   return distance;
 }
 
+/// The golden ratio's fraction of 2^64.
+constexpr std::uint64_t kGoldenRatio = 0x9E3779B97F4A7C15;
+
 }  // namespace
 
 TileBounds TileGrid::bounds(int tile) const {
@@ -41,11 +44,11 @@ std::vector<int> TileGrid::part(const PicturePart& part) const {
                        tile);
   std::sort(curve.begin(), curve.end());
   std::vector<int> tiles;
-  const auto parts = static_cast<std::size_t>(part.count);
-  const auto mine = static_cast<std::size_t>(part.number - 1);
-  for (std::size_t round = 0; round * parts < curve.size(); ++round) {
-    const std::size_t place = round % 2 == 0 ? mine : parts - 1 - mine;
-    if (const std::size_t at = round * parts + place; at < curve.size())
+  const auto parts = static_cast<std::uint64_t>(part.count);
+  const auto mine = static_cast<std::uint64_t>(part.number - 1);
+  for (std::uint64_t round = 0; round * parts < curve.size(); ++round) {
+    const std::uint64_t turn = ((round * kGoldenRatio >> 32) * parts) >> 32;
+    if (const std::uint64_t at = round * parts + (mine + parts - turn) % parts; at < curve.size())
       tiles.push_back(curve[at].second);
   }
   return tiles;

@@ -39,9 +39,10 @@ class TileGrid {
 
   /// The tiles of a part.
   ///
-  /// Model:   the tiles along a Hilbert curve are dealt to the parts one by one, from the first
-  ///          part to the last and back: every part gets tiles of all regions of the picture, so
-  ///          the parts cost about the same.
+  /// Model:   the tiles along a Hilbert curve are dealt to the parts one by one, so every part gets
+  ///          tiles of all regions of the picture and parts cost about the same. The first part of
+  ///          each round of dealing moves by the golden ratio: parts that got the same place of
+  ///          every square of 4^k tiles would differ at the edges of costly regions.
   /// Source:  D. Hilbert, "Ueber die stetige Abbildung einer Linie auf ein Flaechenstueck", Math.
   ///          Annalen 38, 1891.
   /// Checked: Tiles.*
