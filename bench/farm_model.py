@@ -4,9 +4,10 @@
 
     bench/farm_model.py build/release/bin/oriel [SCENE] [WxH] [SAMPLES]
 
-Processor times are compared, not wall-clock times, so that other processes do not matter much. The sum for N parts
-is fitted to work + N * start from 1, 2 and 4 parts; the sum for 8 parts tests the model.
+Rays and processor times are compared, not wall-clock times, so that other processes do not matter much. The sum of
+the times of N parts is fitted to work + N * start from 1, 2 and 4 parts; the sum for 8 parts tests the model.
 """
+import json
 import os
 import pathlib
 import resource
@@ -27,11 +28,15 @@ ESTIMATE_SAMPLES = 4096
 SCENE_BYTES = 2e9
 
 
-def cpu_of(words):
+def work_of(words):
+    """Processor seconds and rays of a command."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run([str(w) for w in words], check=True, stdout=subprocess.DEVNULL)
+    out = subprocess.run([str(w) for w in words], check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                         text=True).stdout
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    events = [json.loads(line) for line in out.splitlines() if line.startswith("{")]
+    rays = sum(e.get("rays", 0) for e in events if e["event"] == "done")
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, rays
 
 
 def fit(counts, sums):
@@ -42,22 +47,24 @@ def fit(counts, sums):
 
 
 def measure(program, scene, size, samples, folder):
-    options = ["--size", size, "--samples", samples, "-q"]
-    sums, tails = {}, {}
+    options = ["--size", size, "--samples", samples, "--json", "--threads", 1]  # idle threads use processor time
+    sums, rays, tails = {}, {}, {}
     for count in PARTS:
         name = f"{folder}/{count}"
-        times = [cpu_of([program, "render", scene, "-o", f"{name}.exr", *options, "--part", f"{k}/{count}"])
+        works = [work_of([program, "render", scene, "-o", f"{name}.exr", *options, "--part", f"{k}/{count}"])
                  for k in range(1, count + 1)]
-        sums[count] = sum(times)
-        tails[count] = max(times) / (sum(times) / count)
+        sums[count] = sum(time for time, _ in works)
+        rays[count] = sum(r for _, r in works)
+        tails[count] = max(r for _, r in works) * count / max(rays[count], 1)
         parts = [f"{name}.part-{k}-of-{count}" for k in range(1, count + 1)]
-        size_of_parts = sum(os.path.getsize(p) for p in parts)
-        merge = cpu_of([program, "merge", *parts, "-o", f"{name}.exr"])
-        print(f"{count} parts: {sums[count]:.2f} s of processor time, slowest part {tails[count]:.2f} times the mean; "
-              f"merge {merge:.2f} s for {size_of_parts / 1e6:.1f} MB")
+        bytes_of_parts = sum(os.path.getsize(p) for p in parts)
+        merge, _ = work_of([program, "merge", *parts, "-o", f"{name}.exr", "-q"])
+        print(f"{count} parts: {sums[count]:.2f} s of processor time, {rays[count]} rays, slowest part "
+              f"{tails[count]:.3f} times the mean in rays; merge {merge:.2f} s for {bytes_of_parts / 1e6:.1f} MB")
     with open(f"{folder}/1.exr", "rb") as one, open(f"{folder}/8.exr", "rb") as eight:
         assert one.read() == eight.read(), "pictures differ"
-    return sums, tails[8], size_of_parts / merge, size_of_parts
+    print(f"rays of 8 parts relative to one: {rays[8] / max(rays[1], 1):.6f}")
+    return sums, tails[8], bytes_of_parts / merge, bytes_of_parts
 
 
 def main():
@@ -94,4 +101,5 @@ def estimate(rate, start, tail, bandwidth, bytes_per_pixel):
 
 
 if __name__ == "__main__":
+    sys.stdout.reconfigure(line_buffering=True)
     main()
