@@ -48,7 +48,7 @@ struct Job {
   /// "part 3 of 16", "frame 7", "frame 7, part 3 of 16".
   std::string unit_name(int index) const;
 
-  std::string path(const std::string& name) const { return folder + "/" + name; }
+  std::string path(const std::string& file) const { return folder + "/" + file; }
   const std::string& output_of(int frame_index) const {
     return outputs[static_cast<std::size_t>(frame_index)];
   }

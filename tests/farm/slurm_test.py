@@ -66,7 +66,7 @@ class Slurm(unittest.TestCase):
         cls.base = tempfile.mkdtemp(prefix="oriel-slurm-")
         cls.farm = os.path.join(cls.base, "farm")
         cls.addClassCleanup(cls.stop)
-        run(FARM, "--folder", cls.farm)
+        run(FARM, "--folder", cls.farm, "--while", os.getpid())
         os.environ["SLURM_CONF"] = cls.farm + "/slurm.conf"
 
     @classmethod
@@ -102,6 +102,13 @@ class Slurm(unittest.TestCase):
 
     def status(self):
         return json.loads(run(ORIEL, "status", self.job, "--json", check=False).stdout)
+
+    def samples_for(self, seconds):
+        """Samples of a render of about that duration on this machine now."""
+        trial = 200
+        begin = time.monotonic()
+        self.reference(trial, "trial.exr")
+        return max(trial, int(trial * seconds / (time.monotonic() - begin)))
 
     def record(self, frame=1, part=1):
         path = self.job / f"units/frame-{frame:04}.part-{part}.json"
@@ -142,29 +149,33 @@ class Slurm(unittest.TestCase):
 
     def test_a_requeued_task_continues(self):
         self.write_scene(SCENE + RENDER)
-        job = self.submit("--parts", 2, samples=1200)
+        samples = self.samples_for(10)
+        job = self.submit("--parts", 2, samples=samples)
         self.wait(lambda: self.record()["state"] == "running", "the start")
         run("scontrol", "requeue", f"{job}_0")
         self.wait_for_picture()
         self.assertEqual(2, self.record()["attempts"])
-        self.expect_same_bytes(1200)
+        self.expect_same_bytes(samples)
 
     def test_a_task_near_its_time_limit_continues_later(self):
         self.write_scene(SCENE + RENDER)
-        # The signal comes at once, as the lead is almost all of the minute.
-        self.submit("--parts", 1, "--time", "1", "--lead", 57, samples=6000)
+        samples = self.samples_for(30)
+        # The signal comes after some seconds, as the lead is almost all of the minute.
+        job = self.submit("--parts", 1, "--time", "1", "--lead", 57, samples=samples)
         self.wait(lambda: self.record()["state"] == "stopped", "the checkpoint")
         self.assertTrue((self.job / "parts/frame-0001.part-1-of-1").exists())
         self.assertEqual(1, self.status()["stopped"])
-        # Enough time for the rest, also on a busy machine.
-        self.wait(lambda: "PENDING" in run("squeue", "-h", "-r", "-o", "%T").stdout, "the requeue")
+        self.wait(lambda: "PENDING" in run("squeue", "-h", "-r", "-j", job, "-o", "%T").stdout, "the requeue")
+        # Enough time for the rest.
+        run("scontrol", "update", f"JobId={job}_0", "TimeLimit=60")
         self.wait_for_picture()
-        self.assertGreater(self.record()["attempts"], 1)
-        self.expect_same_bytes(6000)
+        self.assertEqual(2, self.record()["attempts"])
+        self.expect_same_bytes(samples)
 
     def test_a_killed_node_loses_nothing(self):
         self.write_scene(SCENE + RENDER)
-        self.submit("--parts", 2, samples=1200)
+        samples = self.samples_for(10)
+        self.submit("--parts", 2, samples=samples)
         self.wait(lambda: self.record()["state"] == "running", "the start")
         node = self.record()["node"]
         pid = int(pathlib.Path(f"{self.farm}/slurmd-{node}.pid").read_text())
@@ -175,7 +186,7 @@ class Slurm(unittest.TestCase):
         try:
             self.wait_for_picture()
             self.assertNotEqual(node, self.record()["node"])
-            self.expect_same_bytes(1200)
+            self.expect_same_bytes(samples)
         finally:
             environment = dict(os.environ, ORIEL_FARM=self.farm, PATH=os.environ["PATH"] + ":/usr/sbin")
             run("slurmd", "-f", os.environ["SLURM_CONF"], "-N", node, env=environment)
