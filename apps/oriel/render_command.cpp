@@ -9,6 +9,7 @@
 #include "denoiser_option.h"
 #include "image/reader_process.h"
 #include "image/texture.h"
+#include "ranks.h"
 #include "render_frames.h"
 #include "render_plan.h"
 #include "shaders/registry.h"
@@ -72,6 +73,50 @@ void add_checkpoint_options(CLI::App& app, RenderArguments& a) {
                  "--checkpoint names another one. If --checkpoint names FILE and it does not "
                  "exist, the render starts")
       ->type_name("FILE");
+}
+
+/// The processor time of all ranks.
+void print_work(const std::vector<RankWork>& ranks, const RenderArguments& a) {
+  double useful = 0, all = 0;
+  nlohmann::json memory = nlohmann::json::array();
+  for (const RankWork& work : ranks) {
+    useful += work.useful_seconds, all += work.seconds;
+    memory.push_back(work.memory);
+  }
+  if (a.json)
+    print_json({{"event", "ranks"},
+                {"ranks", ranks.size()},
+                {"cpu_seconds", all},
+                {"useful_cpu_seconds", useful},
+                {"memory", memory}});
+  else if (!a.quiet)
+    fmt::print(stderr, "{} ranks: {:.1f} s of processor time, {:.1f} % of it for samples\n",
+               ranks.size(), all, all > 0 ? 100 * useful / all : 0.0);
+}
+
+int run_with_ranks(RenderArguments a, Ranks& ranks) try {
+  if (!a.part.empty() || !a.maps_only.empty())
+    throw UsageError("--part and --maps-only are for single processes, not for an MPI job");
+  const ThreadLimit limit(a.threads);
+  if (!ranks.leads()) {  // rank 0 writes all files and texts
+    a.checkpoint.clear(), a.resume.clear();
+    a.json = false, a.quiet = true;
+  }
+  RenderPlan plan = render_plan(a);
+  plan.ranks = &ranks;
+  const int code = render_scene(a, plan);
+  const std::vector<RankWork> work = ranks.finish();
+  if (!work.empty()) print_work(work, a);
+  return code;
+} catch (const std::exception& e) {
+  // Before the job ends, and with it this process.
+  fmt::print(stderr, "oriel: rank {}: {}\n", ranks.rank(), e.what());
+  return kExitFailed;
+}
+
+int run_render(const RenderArguments& a) {
+  if (const std::unique_ptr<Ranks> ranks = Ranks::join()) return run_with_ranks(a, *ranks);
+  return render_scene(a, render_plan(a));
 }
 
 void add_farm_options(CLI::App& app, RenderArguments& a) {
@@ -194,7 +239,7 @@ Command add_render_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("render", "Render a scene");
   auto a = std::make_shared<RenderArguments>();
   add_render_options(*app, *a);
-  return {app, [a] { return render_scene(*a, render_plan(*a)); }};
+  return {app, [a] { return run_render(*a); }};
 }
 
 }  // namespace oriel::app

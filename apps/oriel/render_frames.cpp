@@ -34,6 +34,7 @@
 #include "sdk/host.h"
 #include "sdk/missing_roles.h"
 #include "shaders/registry.h"
+#include "shared_picture.h"
 
 namespace oriel::app {
 namespace {
@@ -46,10 +47,8 @@ bool is_for_display(const PictureFile& file) {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
 /// A picture in progress is written at most so often, and takes at most a twentieth of the time.
-constexpr double kSecondsBetweenWrites = 5;
-constexpr double kWriteShare = 0.05;
+constexpr double kSecondsBetweenWrites = 5, kWriteShare = 0.05;
 constexpr double kMaxLimitSeconds = 1e9;  // the clock has 64 bits
 
 double seconds_since(Clock::time_point start) {
@@ -82,7 +81,7 @@ class FrameRenderer {
   bool begin(const scene::RenderCommand& command, int frame) {
     name_files(command, frame);
     if (!plan_.frames.holds(frame)) return false;
-    if (!a_.skip_existing || !frame_files_.all_exist()) return true;
+    if (!agreed(a_.skip_existing && frame_files_.all_exist())) return true;
     diagnostics_.note("OR-RN-063", command.where,
                       fmt::format("frame {} is left out: its files are there", frame));
     return false;
@@ -94,20 +93,21 @@ class FrameRenderer {
     const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
     const std::vector<Eye> eyes = camera ? eyes_of(*camera) : std::vector{Eye::Middle};
     name_files(command, frame);  // an edit may have changed them
-    if (!plan_.part && a_.maps_only.empty() && !pictures_.test(frame_files_.all(), command.where))
-      return true;
+    const bool writes = !plan_.part && a_.maps_only.empty() && leads();
+    if (!agreed(!writes || pictures_.test(frame_files_.all(), command.where))) return true;
     for (const Eye eye : eyes)
-      if (!interrupted() && (plan_.part || !checkpoints_->is_finished({frame, eye})) &&
+      if (agreed(!interrupted() && (plan_.part || !checkpoints_->is_finished({frame, eye}))) &&
           !render(command, frame, eye, is_last && eye == eyes.back()))
         return false;
     return true;
   }
 
   int exit_code() const { return exit_code_; }
+  bool goes_on() const { return agreed(!interrupted()); }
 
   /// Unloads the shader libraries, whose last functions may still report errors.
   void close() {
-    if (!plan_.part && !stays_ && !interrupted()) checkpoints_->remove();
+    if (!plan_.part && leads() && !stays_ && !interrupted()) checkpoints_->remove();
     session_.reset();
     world_.reset();
     host_.reset();
@@ -155,13 +155,15 @@ class FrameRenderer {
     if (!a_.maps_only.empty()) return compute_maps(place);
     if (!a_.maps.empty() && !world_->preview) read_maps(a_, place, *session_);
     if (plan_.part) return render_part(place);
+    if (plan_.ranks) require_same_session(*plan_.ranks, a_, *session_);
+    if (!leads()) return serve_leader();
     if (plan_.merge) {
       if (!merge_parts(place)) return true;
     } else {
       checkpoints_->begin(place, *session_);
     }
     last_write_ = Clock::now();
-    const StopReason reason = run_session();
+    const StopReason reason = plan_.ranks ? run_with_ranks(frame, eye) : run_session();
     sdk::set_stop_time({});  // of samples alone
     line_.clear();
     const bool unfinished =
@@ -189,9 +191,9 @@ class FrameRenderer {
   /// Writes the maps of a picture that is not rendered.
   bool compute_maps(RenderPlace place) {
     if (!world_->preview) {
-      Progressive::Callbacks callbacks;
-      callbacks.progress = [this](const Progress& p) { line_.update(p); };
-      const bool done = session_->prepare(callbacks, &interrupted());
+      const Progressive::Callbacks shown{
+          .progress = [this](const Progress& p) { line_.update(p); }};
+      const bool done = session_->prepare(shown, &interrupted());
       line_.clear();
       if (done) write_maps(a_, place, *session_);
       if (done && !a_.json && !a_.quiet)
@@ -247,6 +249,37 @@ class FrameRenderer {
     return false;
   }
 
+  bool leads() const { return !plan_.ranks || plan_.ranks->leads(); }
+  /// A decision that depends on files: that of rank 0.
+  bool agreed(bool decision) const {
+    return plan_.ranks ? plan_.ranks->from_leader(decision) : decision;
+  }
+  /// Whether several ranks render the picture.
+  bool is_shared() const {
+    return plan_.ranks && !world_->preview && !session_->integrator().caches_only();
+  }
+
+  /// Renders tiles for rank 0, which writes the picture.
+  bool serve_leader() {
+    if (is_shared() && share_maps(*plan_.ranks, *session_, {}, nullptr))
+      serve_tiles(*plan_.ranks, *session_);
+    sdk::set_stop_time({});
+    end_shaders();
+    return true;
+  }
+
+  StopReason run_with_ranks(int frame, Eye eye) {
+    const Progressive::Callbacks shown{.progress = [this](const Progress& p) { line_.update(p); }};
+    if (!is_shared() || !share_maps(*plan_.ranks, *session_, shown, &interrupted()))
+      return run_session();
+    TileLeader leader(*plan_.ranks, *session_, 4 * frame + static_cast<int>(eye));
+    spread_ = [&leader](const auto&... work) { leader.spread(work...); };
+    const StopReason reason = run_session();
+    spread_ = {};
+    leader.end();
+    return reason;
+  }
+
   Checkpoints& checkpoints() { return part_ ? part_->file() : *checkpoints_; }
 
   StopReason run_session() {
@@ -257,6 +290,7 @@ class FrameRenderer {
       callbacks.wants_pause = [this] { return checkpoints().is_due(); };
       callbacks.paused = [this] { write_checkpoint(false); };
     }
+    callbacks.spread = spread_;
     return session_->run(callbacks, &interrupted());
   }
 
@@ -411,6 +445,7 @@ class FrameRenderer {
   FramePictures pictures_;
   std::optional<Checkpoints> checkpoints_;  ///< unless parts are rendered
   std::optional<PartRender> part_;
+  Progressive::TileLoop spread_;  ///< while several ranks render the picture
   int exit_code_ = kExitDone;
   bool stays_ = false;  ///< the checkpoint, since its picture can go on
   PictureState state_ = PictureState::Empty;
@@ -419,10 +454,6 @@ class FrameRenderer {
   double write_seconds_ = 0;
   bool unit_is_known_ = false;  ///< cd/m2 of a pixel unit
 };
-
-}  // namespace
-
-namespace {
 
 /// Whether nothing that was asked for is missing. Errors that shaders report (mi_error) do not
 /// count: the shader has returned a result all the same.
@@ -442,7 +473,7 @@ int render_frames(mi::Reader& reader, const RenderArguments& arguments, const Re
   if (plan.part) end_at_checkpoint_signal();
   FrameRenderer renderer(arguments, plan, scene, diagnostics, printer);
   int frames = 0, rendered = 0;
-  while (!interrupted() && plan.frames.goes_on_from(frames + 1) && reader.next_frame(scene)) {
+  while (renderer.goes_on() && plan.frames.goes_on_from(frames + 1) && reader.next_frame(scene)) {
     printer.print_new();
     if (!renderer.begin(scene.renders.back(), ++frames)) continue;
     edit(scene);

@@ -20,6 +20,7 @@
 namespace oriel::app {
 
 class PartSet;
+class Ranks;
 
 struct RenderArguments {
   SceneArguments scene;
@@ -65,6 +66,7 @@ struct RenderPlan {
   FrameList frames;
   CheckpointRequest checkpoint;
   std::optional<PicturePart> part;  ///< that is rendered alone
+  Ranks* ranks = nullptr;           ///< of the job that renders together; must outlive the plan
   const PartSet* merge = nullptr;   ///< its parts make the pictures; must outlive the plan
   /// Where scenes read maps and write files; unset: in the scene's folder.
   std::optional<OutputRoots> roots;

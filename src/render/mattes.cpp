@@ -55,8 +55,8 @@ void Mattes::save(Writer& out, const std::vector<Material>& materials,
 }
 
 template <class Reader>
-void Mattes::restore(Reader& in, const std::vector<Material>& materials,
-                     std::size_t instances, const std::vector<std::uint32_t>& pixels) {
+void Mattes::restore(Reader& in, const std::vector<Material>& materials, std::size_t instances,
+                     const std::vector<std::uint32_t>& pixels) {
   std::vector<std::uint32_t> counts(pixels.size());
   std::vector<std::int32_t> surfaces;
   std::vector<float> samples;

@@ -384,8 +384,11 @@ void Progressive::run_pass(const std::function<std::uint64_t(const Row&)>& rende
   bool complete = false;
   do {
     paused_ = false;
-    parallel_for(tiles_.size(),
-                 [&](std::size_t i) { render_tile(tiles_[i], render_row, callbacks, cancel); });
+    const auto render = [&](int tile) { render_tile(tile, render_row, callbacks, cancel); };
+    if (callbacks.spread)
+      callbacks.spread(incomplete_tiles(), render, [&] { return must_stop(callbacks, cancel); });
+    else
+      parallel_for(tiles_.size(), [&](std::size_t i) { render(tiles_[i]); });
     const bool stopped = paused_ || cancelled_ || timed_out_;
     complete = !stopped || pass_is_complete();
     if (complete) ++state_.pass;

@@ -303,7 +303,8 @@ void RenderSession::restore(CheckpointReader& in) {
 bool RenderSession::prepare(const Progressive::Callbacks& callbacks,
                             const std::atomic<bool>* cancel) {
   prepare_maps({callbacks.progress, {}, {}, {}}, cancel);
-  prepared_ = !(cancel && *cancel);
+  prepared_ = state_is_whole_ = !(cancel && *cancel);
+  if (prepared_ && started_) progressive_.begin_at(*started_);
   return prepared_;
 }
 
@@ -318,6 +319,7 @@ void RenderSession::read_maps(CheckpointReader& in) {
   visit_counts(in, rays_of_maps_);
   in.end();
   prepared_ = state_is_whole_ = true;
+  if (started_) progressive_.begin_at(*started_);
 }
 
 std::string RenderSession::pack_tiles(const std::vector<int>& tiles) {

@@ -76,6 +76,7 @@ const std::vector<std::string> kEveryLayer = {"--layers", "all", "--cryptomatte"
                                               "key=lamp*"};
 
 // More parts than the 6 tiles of the picture are possible.
+// acceptance: F1
 TEST_F(Parts, HaveTheBytesOfTheWholePicture) {
   expect_same(joined({"--samples", "20", "--seed", "3"}, kEveryLayer), "all layers", {1, 2, 3, 7});
   expect_same({"--samples", "20", "--crop", "3,4,40,30"}, "crop");
@@ -212,6 +213,7 @@ class Maps : public Parts {};
 
 // Computed once, read by the parts: the bytes are those of one machine, and no photon is traced
 // again.
+// acceptance: F2
 TEST_F(Maps, OfOneRunServeAllParts) {
   std::string text = small_scene("globillum on caustic on finalgather accuracy 32");
   const std::string place = "origin 0 1 -3";
