@@ -13,6 +13,9 @@ target_link_options(oriel PRIVATE LINKER:--disable-new-dtags)
 install(TARGETS oriel RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 # "lib" by name: the program looks in ../lib/oriel, whatever the system calls its library folder.
 install(TARGETS oriel_image_files LIBRARY DESTINATION lib/oriel)
+if(TARGET oriel_mpi)
+  install(TARGETS oriel_mpi LIBRARY DESTINATION lib/oriel)
+endif()
 
 # The program writes the declarations from the shaders' own tables. A run that fails leaves no file
 # behind that would pass for one.

@@ -12,6 +12,7 @@
 #include "checkpoint_labels.h"
 #include "command.h"
 #include "interrupt.h"
+#include "parts.h"
 #include "progress_line.h"
 
 namespace oriel::app {
@@ -26,23 +27,11 @@ constexpr double kCheckpointSeconds = 300, kCheckpointShare = 0.01;
 /// Labels that say where in the render the checkpoint is.
 constexpr const char *kFrameLabel = "at frame", *kEyeLabel = "at eye", *kFinishedLabel = "at end";
 
-std::optional<int> label_number(const CheckpointLabels& labels, const char* name, int most) {
-  const auto found = labels.find(name);
-  if (found == labels.end()) return std::nullopt;
-  const std::string& text = found->second;
-  int value = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < 0 || value > most)
-    return std::nullopt;
-  return value;
-}
+constexpr std::string_view kNotePrefix = "at ";
 
 }  // namespace
 
-CheckpointRequest checkpoint_request(const std::string& checkpoint, const std::string& resume) {
-  CheckpointRequest request;
-  request.resume = resume;
-  request.file = checkpoint;
+std::optional<double> take_checkpoint_seconds(std::string& checkpoint) {
   constexpr std::string_view kEvery = ",every";
   if (const std::size_t at = checkpoint.rfind(kEvery); at != checkpoint.npos) {
     std::string number = checkpoint.substr(at + kEvery.size());
@@ -54,9 +43,39 @@ CheckpointRequest checkpoint_request(const std::string& checkpoint, const std::s
       throw UsageError(fmt::format(
           "--checkpoint {}: expected FILE or \"FILE,every SECONDS\" with a positive number",
           checkpoint));
-    request.seconds = seconds;
-    request.file.resize(at);
+    checkpoint.resize(at);
+    return seconds;
   }
+  return std::nullopt;
+}
+
+CheckpointLabels labels_of_picture(const std::string& scene, const CheckpointLabels& options,
+                                   const RenderSession& session) {
+  const std::string folder = fs::path(scene).parent_path().string();
+  CheckpointLabels labels = options;
+  labels[kProgramLabel] = program_label();
+  add_session_labels(session, labels);
+  add_file_labels(folder, InputKind::Scene, labels);
+  add_file_labels(folder, InputKind::Frame, labels);
+  return labels;
+}
+
+void erase_notes(CheckpointLabels& labels) {
+  std::erase_if(labels, [](const auto& label) { return label.first.starts_with(kNotePrefix); });
+}
+
+std::optional<RenderPlace> place_of_labels(const CheckpointLabels& labels) {
+  const auto frame = label_number(labels, kFrameLabel, std::numeric_limits<int>::max());
+  const auto eye = label_number(labels, kEyeLabel, static_cast<int>(Eye::Right));
+  if (!frame || !eye) return std::nullopt;
+  return RenderPlace{*frame, static_cast<Eye>(*eye)};
+}
+
+CheckpointRequest checkpoint_request(const std::string& checkpoint, const std::string& resume) {
+  CheckpointRequest request;
+  request.resume = resume;
+  request.file = checkpoint;
+  request.seconds = take_checkpoint_seconds(request.file);
   if (request.file.empty() && !checkpoint.empty())
     throw UsageError(fmt::format("--checkpoint {}: the name of the file is missing", checkpoint));
   request.may_start = !resume.empty() && request.file == resume;
@@ -84,6 +103,7 @@ CheckpointRequest checkpoint_request(const std::string& checkpoint, const std::s
 Checkpoints::Checkpoints(const CheckpointRequest& request, const std::string& scene,
                          const CheckpointLabels& options, Diagnostics& diagnostics)
     : request_(request),
+      scene_(scene),
       folder_(fs::path(scene).parent_path().string()),
       options_(options),
       diagnostics_(diagnostics) {
@@ -93,9 +113,10 @@ Checkpoints::Checkpoints(const CheckpointRequest& request, const std::string& sc
   if (request_.resume.empty()) return;
   if (std::error_code error;
       request_.may_start && !fs::exists(fs::symlink_status(request_.resume, error))) {
-    diagnostics_.note(
-        "OR-RN-074", {},
-        fmt::format("there is no checkpoint '{}' yet; the render starts", request_.resume));
+    if (!request_.starts_quietly)
+      diagnostics_.note(
+          "OR-RN-074", {},
+          fmt::format("there is no checkpoint '{}' yet; the render starts", request_.resume));
     return;
   }
   try {
@@ -110,11 +131,10 @@ Checkpoints::Checkpoints(const CheckpointRequest& request, const std::string& sc
                        found == labels.end() ? "another program" : shown_label(found->second),
                        options_[kProgramLabel]),
            "resume it with that program, or render without --resume");
-  const auto frame = label_number(labels, kFrameLabel, std::numeric_limits<int>::max());
-  const auto eye = label_number(labels, kEyeLabel, static_cast<int>(Eye::Right));
+  const auto place = place_of_labels(labels);
   const auto finished = label_number(labels, kFinishedLabel, 1);
-  if (!frame || !eye || !finished) refuse("it is damaged", "render without --resume");
-  resumed_place_ = {*frame, static_cast<Eye>(*eye)};
+  if (!place || !finished) refuse("it is damaged", "render without --resume");
+  resumed_place_ = *place;
   resumed_is_finished_ = *finished == 1;
 }
 
@@ -129,7 +149,7 @@ bool Checkpoints::is_finished(RenderPlace place) const {
 
 void Checkpoints::require_same(const CheckpointLabels& here, bool of_finished) const {
   CheckpointLabels there = resumed_->labels();
-  for (const char* name : {kFrameLabel, kEyeLabel, kFinishedLabel}) there.erase(name);
+  erase_notes(there);
   // Between pictures it is unknown which files the next one reads.
   const std::string difference = label_difference(there, here, of_finished);
   if (!difference.empty())
@@ -140,10 +160,7 @@ void Checkpoints::require_same(const CheckpointLabels& here, bool of_finished) c
 void Checkpoints::begin(RenderPlace place, RenderSession& session) {
   if (!writes()) return;
   place_ = place;
-  picture_labels_ = options_;
-  add_session_labels(session, picture_labels_);
-  add_file_labels(folder_, InputKind::Scene, picture_labels_);
-  add_file_labels(folder_, InputKind::Frame, picture_labels_);
+  picture_labels_ = labels_of_picture(scene_, options_, session);
   if (!resumed_) return;
   if (!resumed_is_finished_) {
     if (place != resumed_place_)
@@ -185,6 +202,7 @@ bool Checkpoints::write(RenderSession& session, bool at_end) {
   CheckpointLabels labels = picture_labels_;
   const CheckpointLabels place = labels_of(place_, false);
   labels.insert(place.begin(), place.end());
+  labels.insert(notes_.begin(), notes_.end());
   return write_file(labels, &session, at_end);
 }
 

@@ -21,12 +21,17 @@ struct CheckpointRequest {
   std::optional<double> seconds;  ///< interval
   std::string resume;             ///< to read; empty = none
   bool may_start = false;         ///< without the file to read, the render starts
+  bool starts_quietly = false;    ///< no note about that
 };
 
 /// Inputs:  checkpoint: "FILE" or "FILE,every SECONDS"; resume: "FILE", which is also written
 ///          unless `checkpoint` names another one.
 /// Errors:  UsageError; UserError if the file exists and may not be replaced.
 CheckpointRequest checkpoint_request(const std::string& checkpoint, const std::string& resume);
+
+/// Removes ",every SECONDS" from the end of a value of --checkpoint. Returns: the seconds.
+/// Errors:  UsageError.
+std::optional<double> take_checkpoint_seconds(std::string& checkpoint);
 
 /// A picture of a render: one eye of one frame.
 struct RenderPlace {
@@ -37,6 +42,14 @@ struct RenderPlace {
     return frame != o.frame ? frame < o.frame : eye < o.eye;
   }
 };
+
+/// Labels that identify the render of a session: `options`, settings and files.
+CheckpointLabels labels_of_picture(const std::string& scene, const CheckpointLabels& options,
+                                   const RenderSession& session);
+/// Removes the labels that say where in the render a file is.
+void erase_notes(CheckpointLabels& labels);
+/// The place of a picture file's labels; nothing if they are damaged.
+std::optional<RenderPlace> place_of_labels(const CheckpointLabels& labels);
 
 /// Writes and reads the checkpoints of a process.
 ///
@@ -56,6 +69,14 @@ class Checkpoints {
               const CheckpointLabels& options, Diagnostics& diagnostics);
 
   bool writes() const { return !request_.file.empty(); }
+  /// Further labels of the files, whose names begin with "at ".
+  void set_notes(CheckpointLabels notes) { notes_ = std::move(notes); }
+  /// Labels of the file to resume before begin(); empty if there is none.
+  CheckpointLabels resumed_labels() const {
+    return resumed_ ? resumed_->labels() : CheckpointLabels();
+  }
+  /// Labels that identify the render, after begin().
+  const CheckpointLabels& picture_labels() const { return picture_labels_; }
   /// Whether the earlier render finished this picture.
   bool is_finished(RenderPlace place) const;
   /// Before a picture is rendered: restores its state if the checkpoint contains it.
@@ -81,8 +102,8 @@ class Checkpoints {
   void schedule();
 
   CheckpointRequest request_;
-  std::string folder_;  ///< of the scene
-  CheckpointLabels options_;
+  std::string scene_, folder_;  ///< of the scene
+  CheckpointLabels options_, notes_;
   Diagnostics& diagnostics_;
   std::unique_ptr<CheckpointReader> resumed_;  ///< until its picture begins
   RenderPlace resumed_place_, place_;

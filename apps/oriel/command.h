@@ -10,8 +10,12 @@
 
 namespace oriel::app {
 
-/// Picture complete; could not do it; wrong usage.
-enum ExitCode : int { kExitDone = 0, kExitFailed = 1, kExitUsage = 2 };
+/// Picture complete; could not do it; wrong usage; the state is saved, and the same command
+/// continues (EX_TEMPFAIL of sysexits.h).
+enum ExitCode : int { kExitDone = 0, kExitFailed = 1, kExitUsage = 2, kExitResume = 75 };
+
+/// The words of the command line after the name of the command. Set by main().
+std::vector<std::string>& command_words();
 
 /// Something the user can put right: one line on stderr, exit code kExitFailed.
 struct UserError : std::runtime_error {
@@ -29,6 +33,7 @@ struct Command {
 };
 
 Command add_render_command(CLI::App& program);
+Command add_merge_command(CLI::App& program);
 Command add_ray_command(CLI::App& program);
 Command add_check_command(CLI::App& program);
 Command add_shaders_command(CLI::App& program);
@@ -45,6 +50,10 @@ Command add_shader_build_command(CLI::App& program);
 Command add_convert_command(CLI::App& program);
 Command add_quick_command(CLI::App& program);
 Command add_studio_command(CLI::App& program);
+Command add_pack_command(CLI::App& program);
+Command add_submit_command(CLI::App& program);
+Command add_status_command(CLI::App& program);
+Command add_work_command(CLI::App& program);
 /// All of them.
 std::vector<Command> add_commands(CLI::App& program);
 

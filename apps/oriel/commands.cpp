@@ -3,6 +3,11 @@
 
 namespace oriel::app {
 
+std::vector<std::string>& command_words() {
+  static std::vector<std::string> words;
+  return words;
+}
+
 std::vector<Command> add_commands(CLI::App& program) {
   return {add_render_command(program),     add_ray_command(program),
           add_check_command(program),      add_shaders_command(program),
@@ -12,7 +17,9 @@ std::vector<Command> add_commands(CLI::App& program) {
           add_measure_command(program),    add_explain_command(program),
           add_falsecolor_command(program), add_shader_build_command(program),
           add_convert_command(program),    add_quick_command(program),
-          add_studio_command(program)};
+          add_studio_command(program),     add_merge_command(program),
+          add_pack_command(program),       add_submit_command(program),
+          add_status_command(program),     add_work_command(program)};
 }
 
 }  // namespace oriel::app

@@ -11,7 +11,8 @@ namespace oriel::app {
 
 void print_done_line(const RenderSession& session, StopReason reason,
                      const std::vector<std::string>& files) {
-  constexpr const char* kReasons[] = {"samples", "noise", "time", "interrupted", "maps only"};
+  constexpr const char* kReasons[] = {"samples",     "noise",     "time",
+                                      "interrupted", "maps only", "part"};
   const Progress p = session.progress();
   nlohmann::json line = {{"event", "done"},
                          {"stopped_by", kReasons[static_cast<int>(reason)]},

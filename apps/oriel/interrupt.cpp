@@ -6,7 +6,7 @@
 namespace oriel::app {
 namespace {
 
-std::atomic<bool> flag{false}, checkpoint_flag{false};
+std::atomic<bool> flag{false}, checkpoint_flag{false}, checkpoint_ends{false};
 std::atomic<int> requests{0};
 // Otherwise a signal handler may not use them.
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
@@ -19,12 +19,17 @@ void on_signal(int number) {
   ::raise(number);  // takes effect when the handler returns
 }
 
-void on_checkpoint_signal(int) { checkpoint_flag = true; }
+void on_checkpoint_signal(int) {
+  checkpoint_flag = true;
+  if (checkpoint_ends) flag = true;
+}
 
 }  // namespace
 
 std::atomic<bool>& interrupted() { return flag; }
 std::atomic<bool>& checkpoint_requested() { return checkpoint_flag; }
+
+void end_at_checkpoint_signal() { checkpoint_ends = true; }
 
 void catch_interrupts() {
   struct sigaction action {};

@@ -17,4 +17,7 @@ std::atomic<bool>& checkpoint_requested();
 /// and is ignored under nohup.
 void catch_interrupts();
 
+/// From then on SIGUSR1 also sets interrupted().
+void end_at_checkpoint_signal();
+
 }  // namespace oriel::app

@@ -45,6 +45,7 @@ int run_program(int argc, char** argv) {
     if (argc > 2 && std::string_view(argv[1]) == "render" &&
         std::any_of(argv + 2, argv + argc, is_model))
       words[1] = quick;
+    command_words().assign(argv + std::min(argc, 2), argv + argc);
     program.parse(argc, words.data());
     for (const Command& command : commands) {
       if (!command.app->parsed()) continue;

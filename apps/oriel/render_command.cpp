@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // oriel render: a scene to pictures, as the command line asks.
+#include "render_command.h"
+
 #include <fmt/format.h>
 
 #include "base/parallel.h"
@@ -7,6 +9,7 @@
 #include "denoiser_option.h"
 #include "image/reader_process.h"
 #include "image/texture.h"
+#include "ranks.h"
 #include "render_frames.h"
 #include "render_plan.h"
 #include "shaders/registry.h"
@@ -14,26 +17,6 @@
 
 namespace oriel::app {
 namespace {
-
-int run_render(const RenderArguments& a) {
-  const RenderPlan plan = render_plan(a);
-  const ThreadLimit limit(a.threads);
-  if (a.isolate_readers || a.scene.trust.untrusted) isolate_readers({});
-  if (a.texture_cache) TextureSystem::set_cache_megabytes(*a.texture_cache);
-  flush_denormals();
-  Diagnostics diagnostics;
-  DiagnosticPrinter printer(diagnostics, a.json, !a.quiet);
-  mi::Reader reader(a.scene.path, read_options(a.scene, builtin_shaders()), diagnostics);
-  if (!reader.opened()) {
-    printer.print_new();
-    return kExitFailed;
-  }
-  const auto edit = [&](scene::Scene& scene) {
-    for (const std::string& text : a.scene.edits) apply_edit(scene, text, builtin_shaders());
-    if (plan.sun) turn_sun(scene, scene.renders.back().root, *plan.sun, a.north.value_or(0));
-  };
-  return render_frames(reader, a, plan, edit, diagnostics, printer);
-}
 
 std::vector<std::string> layer_names_beside_outputs() {
   std::vector<std::string> names;
@@ -92,11 +75,89 @@ void add_checkpoint_options(CLI::App& app, RenderArguments& a) {
       ->type_name("FILE");
 }
 
+/// The processor time of all ranks.
+void print_work(const std::vector<RankWork>& ranks, const RenderArguments& a) {
+  double useful = 0, all = 0;
+  nlohmann::json memory = nlohmann::json::array();
+  for (const RankWork& work : ranks) {
+    useful += work.useful_seconds, all += work.seconds;
+    memory.push_back(work.memory);
+  }
+  if (a.json)
+    print_json({{"event", "ranks"},
+                {"ranks", ranks.size()},
+                {"cpu_seconds", all},
+                {"useful_cpu_seconds", useful},
+                {"memory", memory}});
+  else if (!a.quiet)
+    fmt::print(stderr, "{} ranks: {:.1f} s of processor time, {:.1f} % of it for samples\n",
+               ranks.size(), all, all > 0 ? 100 * useful / all : 0.0);
+}
+
+int run_with_ranks(RenderArguments a, Ranks& ranks) try {
+  if (!a.part.empty() || !a.maps_only.empty())
+    throw UsageError("--part and --maps-only are for single processes, not for an MPI job");
+  const ThreadLimit limit(a.threads);
+  if (!ranks.leads()) {  // rank 0 writes all files and texts
+    a.checkpoint.clear(), a.resume.clear();
+    a.json = false, a.quiet = true;
+  }
+  RenderPlan plan = render_plan(a);
+  plan.ranks = &ranks;
+  const int code = render_scene(a, plan);
+  const std::vector<RankWork> work = ranks.finish();
+  if (!work.empty()) print_work(work, a);
+  return code;
+} catch (const std::exception& e) {
+  // Before the job ends, and with it this process.
+  fmt::print(stderr, "oriel: rank {}: {}\n", ranks.rank(), e.what());
+  return kExitFailed;
+}
+
+int run_render(const RenderArguments& a) {
+  if (const std::unique_ptr<Ranks> ranks = Ranks::join()) return run_with_ranks(a, *ranks);
+  return render_scene(a, render_plan(a));
+}
+
+void add_farm_options(CLI::App& app, RenderArguments& a) {
+  app.add_option("--part", a.part,
+                 "Render part K of N parts, which cost about the same, to NAME.part-K-of-N beside "
+                 "the picture NAME.exr; oriel merge makes the picture of all parts. An existing "
+                 "part continues. SIGUSR1 and SIGTERM save the part and end with status 75")
+      ->type_name("K/N");
+  app.add_option("--maps-only", a.maps_only,
+                 "Compute photons, gather points and what paths learn before the picture, write "
+                 "them to FOLDER, and end without a picture")
+      ->type_name("FOLDER");
+  app.add_option("--maps", a.maps,
+                 "Read the maps that --maps-only wrote with the same scene and options")
+      ->type_name("FOLDER");
+}
+
 }  // namespace
 
-Command add_render_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("render", "Render a scene");
-  auto a = std::make_shared<RenderArguments>();
+int render_scene(const RenderArguments& a, const RenderPlan& plan) {
+  const ThreadLimit limit(a.threads);
+  if (a.isolate_readers || a.scene.trust.untrusted) isolate_readers({});
+  if (a.texture_cache) TextureSystem::set_cache_megabytes(*a.texture_cache);
+  flush_denormals();
+  Diagnostics diagnostics;
+  DiagnosticPrinter printer(diagnostics, a.json, !a.quiet);
+  mi::Reader reader(a.scene.path, read_options(a.scene, builtin_shaders()), diagnostics);
+  if (!reader.opened()) {
+    printer.print_new();
+    return kExitFailed;
+  }
+  const auto edit = [&](scene::Scene& scene) {
+    for (const std::string& text : a.scene.edits) apply_edit(scene, text, builtin_shaders());
+    if (plan.sun) turn_sun(scene, scene.renders.back().root, *plan.sun, a.north.value_or(0));
+  };
+  return render_frames(reader, a, plan, edit, diagnostics, printer);
+}
+
+void add_render_options(CLI::App& command, RenderArguments& arguments) {
+  CLI::App* app = &command;
+  RenderArguments* a = &arguments;
   add_scene_arguments(*app, a->scene);
   app->add_option(
          "-o,--output", a->outputs,
@@ -161,6 +222,7 @@ Command add_render_command(CLI::App& program) {
       "cd/m2 of one pixel unit (default: from the exposure or sky of the scene, else 1)");
   add_picture_options(*app, *a);
   add_checkpoint_options(*app, *a);
+  add_farm_options(*app, *a);
   app->add_option("--seed", a->seed, "Random seed (default 0)");
   app->add_option("--texture-cache", a->texture_cache,
                   "Texture cache size in MB (default 1024, minimum 16)")
@@ -171,6 +233,12 @@ Command add_render_command(CLI::App& program) {
       ->check(CLI::Range(0, 4096));
   app->add_flag("--json", a->json, "Print lines of JSON");
   app->add_flag("-q,--quiet", a->quiet, "Only warnings and errors");
+}
+
+Command add_render_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("render", "Render a scene");
+  auto a = std::make_shared<RenderArguments>();
+  add_render_options(*app, *a);
   return {app, [a] { return run_render(*a); }};
 }
 

@@ -15,16 +15,17 @@
 #include "denoiser_option.h"
 #include "done_line.h"
 #include "frame_pictures.h"
+#include "frame_settings.h"
 #include "interrupt.h"
+#include "maps_file.h"
+#include "merge_picture.h"
 #include "output/exposure_check.h"
-#include "output/matte_layers.h"
-#include "output/output_names.h"
 #include "output/picture_metadata.h"
+#include "parts.h"
 #include "pictures.h"
 #include "process_streams.h"
 #include "progress_line.h"
 #include "render/indirect_plan.h"
-#include "render/unit_luminance.h"
 #include "render_attributes.h"
 #include "scene_code.h"
 #include "sdk/call.h"
@@ -33,6 +34,7 @@
 #include "sdk/host.h"
 #include "sdk/missing_roles.h"
 #include "shaders/registry.h"
+#include "shared_picture.h"
 
 namespace oriel::app {
 namespace {
@@ -45,10 +47,8 @@ bool is_for_display(const PictureFile& file) {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
 /// A picture in progress is written at most so often, and takes at most a twentieth of the time.
-constexpr double kSecondsBetweenWrites = 5;
-constexpr double kWriteShare = 0.05;
+constexpr double kSecondsBetweenWrites = 5, kWriteShare = 0.05;
 constexpr double kMaxLimitSeconds = 1e9;  // the clock has 64 bits
 
 double seconds_since(Clock::time_point start) {
@@ -72,14 +72,16 @@ class FrameRenderer {
         code_(arguments.scene, diagnostics),
         roots_(plan.roots.value_or(roots_of(arguments.scene))),
         line_(ProgressLine::style_for(a_.json, a_.quiet)),
-        pictures_(roots_, a_.live, diagnostics),
-        checkpoints_(plan.checkpoint, a_.scene.path, option_labels(a_), diagnostics) {}
+        pictures_(roots_, a_.live, diagnostics) {
+    if (!plan.part)
+      checkpoints_.emplace(plan.checkpoint, a_.scene.path, option_labels(a_), diagnostics);
+  }
 
   /// Every frame passes here before it is rendered or not. False: it is not wanted.
   bool begin(const scene::RenderCommand& command, int frame) {
     name_files(command, frame);
     if (!plan_.frames.holds(frame)) return false;
-    if (!a_.skip_existing || !frame_files_.all_exist()) return true;
+    if (!agreed(a_.skip_existing && frame_files_.all_exist())) return true;
     diagnostics_.note("OR-RN-063", command.where,
                       fmt::format("frame {} is left out: its files are there", frame));
     return false;
@@ -91,17 +93,21 @@ class FrameRenderer {
     const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
     const std::vector<Eye> eyes = camera ? eyes_of(*camera) : std::vector{Eye::Middle};
     name_files(command, frame);  // an edit may have changed them
-    if (!pictures_.test(frame_files_.all(), command.where)) return true;
+    const bool writes = !plan_.part && a_.maps_only.empty() && leads();
+    if (!agreed(!writes || pictures_.test(frame_files_.all(), command.where))) return true;
     for (const Eye eye : eyes)
-      if (!interrupted() && !checkpoints_.is_finished({frame, eye}) &&
+      if (agreed(!interrupted() && (plan_.part || !checkpoints_->is_finished({frame, eye}))) &&
           !render(command, frame, eye, is_last && eye == eyes.back()))
         return false;
     return true;
   }
 
+  int exit_code() const { return exit_code_; }
+  bool goes_on() const { return agreed(!interrupted()); }
+
   /// Unloads the shader libraries, whose last functions may still report errors.
   void close() {
-    if (!stays_ && !interrupted()) checkpoints_.remove();
+    if (!plan_.part && leads() && !stays_ && !interrupted()) checkpoints_->remove();
     session_.reset();
     world_.reset();
     host_.reset();
@@ -140,22 +146,24 @@ class FrameRenderer {
     check_exposures(*world_, files_, diagnostics_);
     printer_.print_new();
 
-    SessionSettings settings = plan_.session;
-    settings.outputs = keeps_outputs();
-    settings.lights = keeps_lights();
-    settings.mattes = keeps_mattes();
-    settings.irradiance = any_needs(LayerNeed::Irradiance);
-    for (const PictureFile& file : files_) settings.surface_values |= surface_values(file);
-    settings.unit_luminance = unit_of_pixels();
-    settings.clamp = a_.clamp;
-    settings.map_files = map_files();
-    settings.diagnostics = &diagnostics_;
+    const FrameToRender request{a_, plan_, scene_, *world_, files_, roots_, diagnostics_};
+    SessionSettings settings = frame_settings(request, unit_is_known_);
     settings.started = begun_;
-    if (!fits(film_bytes(*world_, settings), command)) return false;
+    if (!fits_budget(request, command, settings)) return false;
     session_.emplace(*world_, settings);
-    checkpoints_.begin({frame, eye}, *session_);
+    const RenderPlace place{frame, eye};
+    if (!a_.maps_only.empty()) return compute_maps(place);
+    if (!a_.maps.empty() && !world_->preview) read_maps(a_, place, *session_);
+    if (plan_.part) return render_part(place);
+    if (plan_.ranks) require_same_session(*plan_.ranks, a_, *session_);
+    if (!leads()) return serve_leader();
+    if (plan_.merge) {
+      if (!merge_parts(place)) return true;
+    } else {
+      checkpoints_->begin(place, *session_);
+    }
     last_write_ = Clock::now();
-    const StopReason reason = run_session();
+    const StopReason reason = plan_.ranks ? run_with_ranks(frame, eye) : run_session();
     sdk::set_stop_time({});  // of samples alone
     line_.clear();
     const bool unfinished =
@@ -173,48 +181,130 @@ class FrameRenderer {
     const bool lost = diagnostics_.count(Severity::Error) > errors;
     stays_ = unfinished || (lost && is_last);
     if (stays_ && !unfinished) write_checkpoint(true);
-    if (!stays_ && !is_last) checkpoints_.end_picture({frame, eye});
+    if (!stays_ && !is_last) checkpoints_->end_picture(place);
     end_shaders();
     finish(reason);
     begun_ = Clock::now();
     return true;
   }
 
-  /// Whether the pixels stay within their budget.
-  bool fits(std::uint64_t bytes, const scene::RenderCommand& command) const {
-    const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
-    if (bytes <= scene_.budgets[Budget::Pixels]) return true;
-    diagnostics_.error(
-        "OR-RN-082", camera ? camera->where : command.where,
-        fmt::format("a picture of {} x {} pixels is not rendered: {}", world_->camera.width,
-                    world_->camera.height, scene_.budgets.excess(Budget::Pixels, bytes)),
-        "choose a lower resolution, --crop or fewer layers; " +
-            SceneBudgets::hint(Budget::Pixels, bytes));
+  /// Writes the maps of a picture that is not rendered.
+  bool compute_maps(RenderPlace place) {
+    if (!world_->preview) {
+      const Progressive::Callbacks shown{
+          .progress = [this](const Progress& p) { line_.update(p); }};
+      const bool done = session_->prepare(shown, &interrupted());
+      line_.clear();
+      if (done) write_maps(a_, place, *session_);
+      if (done && !a_.json && !a_.quiet)
+        fmt::print(stderr, "{}: {} rays\n", maps_path(a_.maps_only, place),
+                   session_->rays().rays());
+      if (done && a_.json)
+        print_done_line(*session_, StopReason::MapsOnly, {maps_path(a_.maps_only, place)});
+    }
+    sdk::set_stop_time({});
+    end_shaders();
+    return true;
+  }
+
+  /// Renders the part of a picture to its file.
+  bool render_part(RenderPlace place) {
+    if (world_->preview)
+      throw UserError("the exposure shows its preview, which has no parts; render without --part");
+    part_.emplace(a_, plan_.checkpoint, *plan_.part, place, files_.front().path, diagnostics_);
+    part_->begin(*session_);
+    const StopReason reason = part_->was_finished() ? StopReason::Samples : run_session();
+    sdk::set_stop_time({});
+    line_.clear();
+    const bool finished = reason != StopReason::Cancelled;
+    if (reason == StopReason::MapsOnly) return end_shaders(), finish(reason), true;
+    if (!part_->was_finished() && session_->can_save() && !part_->end(*session_, finished))
+      exit_code_ = kExitFailed;
+    else if (!finished && exit_code_ == kExitDone)
+      exit_code_ = kExitResume;
+    end_shaders();
+    printer_.print_new();
+    if (a_.json)
+      print_done_line(*session_, reason, {part_->path()});
+    else if (!a_.quiet)
+      fmt::print(stderr, "{}: part {}, {:.4g} samples{}\n", part_->path(), part_name(*plan_.part),
+                 session_->progress().mean_samples,
+                 finished ? "" : "; interrupted, the same command continues it");
+    return true;
+  }
+
+  /// Reads the pixels of all parts. False: the picture needs another round of them.
+  bool merge_parts(RenderPlace place) {
+    const MergeResult merged = merge_picture(*plan_.merge, place, a_, *session_);
+    if (merged.round.empty()) return true;
+    exit_code_ = kExitResume;
+    if (a_.json)
+      print_json({{"event", "round"}, {"file", merged.round}, {"samples", merged.samples}});
+    else if (!a_.quiet)
+      fmt::print(stderr,
+                 "{}: the noise target needs another round, to {:.4g} samples; render all parts "
+                 "again, then merge\n",
+                 merged.round, merged.samples);
+    end_shaders();
     return false;
   }
+
+  bool leads() const { return !plan_.ranks || plan_.ranks->leads(); }
+  /// A decision that depends on files: that of rank 0.
+  bool agreed(bool decision) const {
+    return plan_.ranks ? plan_.ranks->from_leader(decision) : decision;
+  }
+  /// Whether several ranks render the picture.
+  bool is_shared() const {
+    return plan_.ranks && !world_->preview && !session_->integrator().caches_only();
+  }
+
+  /// Renders tiles for rank 0, which writes the picture.
+  bool serve_leader() {
+    if (is_shared() && share_maps(*plan_.ranks, *session_, {}, nullptr))
+      serve_tiles(*plan_.ranks, *session_);
+    sdk::set_stop_time({});
+    end_shaders();
+    return true;
+  }
+
+  StopReason run_with_ranks(int frame, Eye eye) {
+    const Progressive::Callbacks shown{.progress = [this](const Progress& p) { line_.update(p); }};
+    if (!is_shared() || !share_maps(*plan_.ranks, *session_, shown, &interrupted()))
+      return run_session();
+    TileLeader leader(*plan_.ranks, *session_, 4 * frame + static_cast<int>(eye));
+    spread_ = [&leader](const auto&... work) { leader.spread(work...); };
+    const StopReason reason = run_session();
+    spread_ = {};
+    leader.end();
+    return reason;
+  }
+
+  Checkpoints& checkpoints() { return part_ ? part_->file() : *checkpoints_; }
 
   StopReason run_session() {
     Progressive::Callbacks callbacks;
     callbacks.progress = [this](const Progress& p) { line_.update(p); };
-    callbacks.pass = [this](const Progress& p) { on_pass(p); };
-    if (checkpoints_.writes()) {
-      callbacks.wants_pause = [this] { return checkpoints_.is_due(); };
+    if (!plan_.part) callbacks.pass = [this](const Progress& p) { on_pass(p); };
+    if (checkpoints().writes()) {
+      callbacks.wants_pause = [this] { return checkpoints().is_due(); };
       callbacks.paused = [this] { write_checkpoint(false); };
     }
+    callbacks.spread = spread_;
     return session_->run(callbacks, &interrupted());
   }
 
   void write_checkpoint(bool at_end) {
-    if (!checkpoints_.writes() || !session_->can_save()) return;
-    const bool written = checkpoints_.write(*session_, at_end);
+    if (!checkpoints().writes() || !session_->can_save()) return;
+    const bool written = checkpoints().write(*session_, at_end);
     if (!written) {
       line_.clear();
       printer_.print_new();
     } else if (a_.json) {
       print_json({{"event", "checkpoint"},
-                  {"file", plan_.checkpoint.file},
+                  {"file", part_ ? part_->path() : plan_.checkpoint.file},
                   {"samples", session_->film().mean_samples()},
-                  {"seconds", checkpoints_.write_seconds()}});
+                  {"seconds", checkpoints().write_seconds()}});
     } else if (at_end && !a_.quiet) {
       fmt::print(stderr, "the render can be continued: --resume {}\n", plan_.checkpoint.file);
     }
@@ -258,98 +348,6 @@ class FrameRenderer {
       if (plan_.precision) file.precision = *plan_.precision;
       if (plan_.compression) file.compression = *plan_.compression;
     }
-  }
-
-  bool has_photometric_layers() const {
-    const LayerSet photometric(LayerGroup::Photometric);
-    return std::any_of(files_.begin(), files_.end(),
-                       [&](const PictureFile& f) { return f.layers.overlaps(photometric); });
-  }
-
-  bool any_needs(LayerNeed need) const {
-    return std::any_of(files_.begin(), files_.end(),
-                       [&](const PictureFile& f) { return needs(f, need); });
-  }
-
-  /// cd/m2 of a pixel unit. Contradictions of the scene are reported only if a layer depends on it.
-  float unit_of_pixels() {
-    unit_is_known_ = true;
-    if (a_.unit_luminance) return *a_.unit_luminance;
-    NodeList exposures;
-    for (const PictureFile& file : files_)
-      exposures.insert(exposures.end(), file.shaders.begin(), file.shaders.end());
-    Diagnostics unused;
-    const UnitLuminance unit =
-        unit_luminance(*world_, exposures, has_photometric_layers() ? diagnostics_ : unused);
-    unit_is_known_ = !unit.by.empty();
-    return unit.cd_m2;
-  }
-
-  /// Maps that the options name, below the scene's folder alone.
-  MapFiles map_files() {
-    const auto allowed = [&](const std::string& file) {
-      const std::string path = allowed_path(file, roots_);
-      if (path.empty())
-        diagnostics_.warning("OR-RN-043", {},
-                             fmt::format("the map \"{}\" is outside of the scene's folder; "
-                                         "it is ignored",
-                                         file),
-                             "move the file into the folder of the scene");
-      return path;
-    };
-    const scene::RenderOptions& o = world_->options;
-    MapFiles files;
-    if (!o.photonmap_file.empty()) files.photons = allowed(o.photonmap_file);
-    for (const std::string& file : o.finalgather.files)
-      if (std::string path = allowed(file); !path.empty()) files.gather.push_back(std::move(path));
-    return files;
-  }
-
-  /// Whether a file asks for outputs of materials and a material has them.
-  bool keeps_outputs() {
-    if (!any_needs(LayerNeed::Outputs)) return false;
-    const auto& materials = world_->materials;
-    if (std::any_of(materials.begin(), materials.end(),
-                    [](const Material& m) { return m.outputs; }))
-      return true;
-    // Buffers of that name are filled by users' shaders.
-    if (std::any_of(world_->user_buffers.begin(), world_->user_buffers.end(),
-                    [](const UserBuffer& b) { return output_of_frame_buffer(b.name) >= 0; }))
-      return false;
-    diagnostics_.warning("OR-RN-055", {},
-                         "no material has outputs beside its result, so there are no such layers",
-                         "switch on multiple_outputs of the materials");
-    return false;
-  }
-
-  /// Whether a file can hold layers of lights, where there are some.
-  bool keeps_lights() {
-    if (!world_->light_layers.asked()) return false;
-    if (std::any_of(files_.begin(), files_.end(), holds_light_layers)) return true;
-    diagnostics_.warning("OR-RN-059", {},
-                         "light groups are layers of EXR files, and none is written",
-                         "name one with -o FILE.exr");
-    return false;
-  }
-
-  /// Ranks of the Cryptomattes that user or scene ask for; 0 = none.
-  int ranks_of_mattes() const {
-    if (plan_.matte_ranks) return *plan_.matte_ranks;
-    const int ranks = world_->options.matte_ranks;
-    return ranks == scene::RenderOptions::kDefaultMatteRanks ? kMatteRanks
-                                                             : std::min(ranks, kMaxMatteRanks);
-  }
-
-  std::optional<MatteNames> keeps_mattes() {
-    int ranks = ranks_of_mattes();
-    if (ranks > 0 && std::none_of(files_.begin(), files_.end(), holds_light_layers)) {
-      diagnostics_.warning("OR-RN-062", {},
-                           "Cryptomattes are layers of EXR files, and none is written",
-                           "name one with -o FILE.exr");
-      ranks = 0;
-    }
-    if (ranks == 0 && !any_needs(LayerNeed::Mattes)) return std::nullopt;
-    return matte_names(scene_, *world_, ranks);
   }
 
   void on_pass(const Progress& p) {
@@ -405,7 +403,7 @@ class FrameRenderer {
     std::map<std::string, ExrValue> m = picture_metadata(*world_, file.shaders);
     m.merge(render_attributes(a_, *session_));
     if (unit_is_known_) m["whiteLuminance"] = session_->unit_luminance();
-    if (has_photometric_layers()) m[kUnitLuminanceKey] = session_->unit_luminance();
+    if (has_photometric_layers(files_)) m[kUnitLuminanceKey] = session_->unit_luminance();
     if (!denoised_.empty()) m["oriel.denoiser"] = denoiser_;
     return m;
   }
@@ -445,7 +443,10 @@ class FrameRenderer {
   std::string denoiser_;  ///< that made it
   std::vector<PictureFile> files_;
   FramePictures pictures_;
-  Checkpoints checkpoints_;
+  std::optional<Checkpoints> checkpoints_;  ///< unless parts are rendered
+  std::optional<PartRender> part_;
+  Progressive::TileLoop spread_;  ///< while several ranks render the picture
+  int exit_code_ = kExitDone;
   bool stays_ = false;  ///< the checkpoint, since its picture can go on
   PictureState state_ = PictureState::Empty;
   Clock::time_point begun_ = process_start();  ///< of the picture, for --time
@@ -453,10 +454,6 @@ class FrameRenderer {
   double write_seconds_ = 0;
   bool unit_is_known_ = false;  ///< cd/m2 of a pixel unit
 };
-
-}  // namespace
-
-namespace {
 
 /// Whether nothing that was asked for is missing. Errors that shaders report (mi_error) do not
 /// count: the shader has returned a result all the same.
@@ -473,9 +470,10 @@ int render_frames(mi::Reader& reader, const RenderArguments& arguments, const Re
                   DiagnosticPrinter& printer) {
   scene::Scene scene;
   catch_interrupts();
+  if (plan.part) end_at_checkpoint_signal();
   FrameRenderer renderer(arguments, plan, scene, diagnostics, printer);
   int frames = 0, rendered = 0;
-  while (!interrupted() && plan.frames.goes_on_from(frames + 1) && reader.next_frame(scene)) {
+  while (renderer.goes_on() && plan.frames.goes_on_from(frames + 1) && reader.next_frame(scene)) {
     printer.print_new();
     if (!renderer.begin(scene.renders.back(), ++frames)) continue;
     edit(scene);
@@ -487,7 +485,9 @@ int render_frames(mi::Reader& reader, const RenderArguments& arguments, const Re
   }
   renderer.close();
   printer.print_new();
-  if (interrupted()) return kExitFailed;
+  if (renderer.exit_code() != kExitDone) return renderer.exit_code();
+  // A part that was interrupted before its first pixel starts again.
+  if (interrupted()) return plan.part ? kExitResume : kExitFailed;
   if (frames == 0)
     throw UserError(fmt::format("{}: the scene has no render statement, so there is nothing to do",
                                 arguments.scene.path));

@@ -19,6 +19,9 @@
 
 namespace oriel::app {
 
+class PartSet;
+class Ranks;
+
 struct RenderArguments {
   SceneArguments scene;
   std::vector<std::string> outputs;
@@ -44,6 +47,8 @@ struct RenderArguments {
   std::string exr;  ///< precision and compression of EXR files
   bool timestamps = false;
   std::string checkpoint, resume;  ///< see checkpoint_request()
+  std::string part;                ///< K/N
+  std::string maps, maps_only;     ///< folders
   int bits = 0;                    ///< per channel of PNG and TIFF files; 0 = their default
 };
 
@@ -60,6 +65,9 @@ struct RenderPlan {
   std::optional<ExrCompression> compression;
   FrameList frames;
   CheckpointRequest checkpoint;
+  std::optional<PicturePart> part;  ///< that is rendered alone
+  Ranks* ranks = nullptr;           ///< of the job that renders together; must outlive the plan
+  const PartSet* merge = nullptr;   ///< its parts make the pictures; must outlive the plan
   /// Where scenes read maps and write files; unset: in the scene's folder.
   std::optional<OutputRoots> roots;
 };

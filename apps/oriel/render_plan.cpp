@@ -9,6 +9,7 @@
 
 #include "denoiser_option.h"
 #include "numbers.h"
+#include "parts.h"
 #include "render/integrator.h"
 #include "suggest.h"
 #include "sun_scene.h"
@@ -84,6 +85,17 @@ void parse_exr(const std::string& text, RenderPlan& plan) {
   }
 }
 
+/// Checkpoints of a part are its own file, which may be named.
+void plan_part(const RenderArguments& a, RenderPlan& plan) {
+  plan.part = read_part(a.part);
+  if (a.time)
+    throw UsageError("--part cannot be combined with --time: parts would end at different samples");
+  if (!a.maps_only.empty()) throw UsageError("--maps-only computes the maps of all parts");
+  plan.checkpoint.file = a.checkpoint;
+  plan.checkpoint.seconds = take_checkpoint_seconds(plan.checkpoint.file);
+  plan.checkpoint.resume = a.resume;
+}
+
 }  // namespace
 
 RenderPlan render_plan(const RenderArguments& a) {
@@ -108,7 +120,12 @@ RenderPlan render_plan(const RenderArguments& a) {
     throw UsageError(
         fmt::format("--light-group: the maximum is {} groups", scene::kMaxLightGroups));
   if (!a.frames.empty()) plan.frames = FrameList(a.frames);
-  plan.checkpoint = checkpoint_request(a.checkpoint, a.resume);
+  if (a.part.empty())
+    plan.checkpoint = checkpoint_request(a.checkpoint, a.resume);
+  else
+    plan_part(a, plan);
+  if (!a.maps.empty() && !a.maps_only.empty())
+    throw UsageError("--maps reads what --maps-only writes: one of both is possible");
   if (!a.sun.empty()) plan.sun = read_sun("--sun", a.sun);
   if (a.north && !plan.sun) throw UsageError("--north requires --sun");
   if (!a.layers.empty()) plan.layers = parse_layers(a.layers);

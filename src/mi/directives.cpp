@@ -91,6 +91,7 @@ void Cursor::include(const std::string& name, bool angled, SourceLocation at) {
                                            options_->budgets.excess(Budget::Includes)),
                                SceneBudgets::hint(Budget::Includes));
   auto source = load(file, path, at);
+  if (source && options_->on_include) options_->on_include({name, path, at});
   if (source) return push(std::move(source), file.path(), at);
   missing_.push_back(name);
 }

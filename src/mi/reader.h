@@ -19,6 +19,13 @@ struct ReadLimits {
   int nesting = 256;  ///< of parameter values, braces and brackets
 };
 
+/// An include, or the file of a placeholder, that was found.
+struct IncludedFile {
+  std::string name;  ///< as written
+  std::string path;
+  SourceLocation where;  ///< of the directive; of a placeholder's file: line 1 of the file with it
+};
+
 struct ReadOptions {
   std::vector<std::string> include_paths;
   /// Stems of the shader packages that the host provides ("base", "architectural"). An include of
@@ -29,6 +36,8 @@ struct ReadOptions {
   std::map<std::string, std::string, std::less<>> variables;  ///< defined for $ifdef
   /// The host compiles C code in the scene; suppresses the warning that such code is not run.
   bool trusts_code = false;
+  /// Optional observer of the files that are read.
+  std::function<void(const IncludedFile&)> on_include;
   ReadLimits limits;
   /// Policy for files that the scene names. The reader permits the folder of the scene and the
   /// include paths.

@@ -198,7 +198,8 @@ void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {
     note_lights_without_energy(world_, settings, p.diagnostics);
     note_photon_budget(world_, settings, p.diagnostics);
     photons_ = trace_photons(world_, settings, p.counts, nullptr, p.monitor);
-    if (!file.empty() && !p.monitor.cancelled()) write_photons(file, photons_, p.diagnostics);
+    if (!file.empty() && !p.files.read_only && !p.monitor.cancelled())
+      write_photons(file, photons_, p.diagnostics);
   }
   use_photon_maps();
   if (plan_.global) keep_light_at_edges(photons_.global, world_, maps_.global_lookup);
@@ -284,7 +285,7 @@ void CachedIntegrator::gather(const IntegratorPreparation& p) {
   const std::size_t before = cache_.records().size();
   gather_for_picture(world_, p.window, passes, cache_, p.counts, p.monitor, p.after_pass);
   const bool changed = cache_.records().size() > before || options.rebuild == Rebuild::On;
-  if (!p.files.gather.empty() && changed && !p.monitor.cancelled())
+  if (!p.files.gather.empty() && !p.files.read_only && changed && !p.monitor.cancelled())
     save_gather_map(cache_.records(), p.files.gather.front(), p.diagnostics);
 }
 

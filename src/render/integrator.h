@@ -27,6 +27,7 @@ namespace oriel {
 struct MapFiles {
   std::string photons;
   std::vector<std::string> gather;  ///< the first one is also written
+  bool read_only = false;           ///< none is written
 };
 
 /// Arguments of Integrator::prepare().

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/byte_stream.h"
+
 namespace oriel {
 
 Mattes::Mattes(int width, int height, const FilterSampler& filter, MatteNames names)
@@ -32,11 +34,14 @@ void Mattes::clear() {
   for (std::vector<Entry>& entries : pixels_) entries.clear();
 }
 
-void Mattes::save(CheckpointWriter& out, const std::vector<Material>& materials) const {
+template <class Writer>
+void Mattes::save(Writer& out, const std::vector<Material>& materials,
+                  const std::vector<std::uint32_t>& pixels) const {
   std::vector<std::uint32_t> counts;
   std::vector<std::int32_t> surfaces;  // two numbers for each entry
   std::vector<float> samples;          // the same
-  for (const std::vector<Entry>& entries : pixels_) {
+  for (const std::uint32_t pixel : pixels) {
+    const std::vector<Entry>& entries = pixels_[pixel];
     counts.push_back(static_cast<std::uint32_t>(entries.size()));
     for (const Entry& e : entries) {
       const auto material = e.seen.material ? e.seen.material - materials.data() : -1;
@@ -49,9 +54,10 @@ void Mattes::save(CheckpointWriter& out, const std::vector<Material>& materials)
   out.list(samples);
 }
 
-void Mattes::restore(CheckpointReader& in, const std::vector<Material>& materials,
-                     std::size_t instances) {
-  std::vector<std::uint32_t> counts(pixels_.size());
+template <class Reader>
+void Mattes::restore(Reader& in, const std::vector<Material>& materials, std::size_t instances,
+                     const std::vector<std::uint32_t>& pixels) {
+  std::vector<std::uint32_t> counts(pixels.size());
   std::vector<std::int32_t> surfaces;
   std::vector<float> samples;
   in.array(counts);
@@ -65,20 +71,30 @@ void Mattes::restore(CheckpointReader& in, const std::vector<Material>& material
   const auto below = [](std::int32_t index, std::size_t count) {
     return index >= -1 && index < static_cast<std::int64_t>(count);
   };
-  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    std::vector<Entry>& entries = pixels_[pixels[i]];
     require(counts[i] <= (surfaces.size() - at) / 2);
-    pixels_[i].clear();
+    entries.clear();
     for (const std::size_t end = at + std::size_t{counts[i]} * 2; at < end; at += 2) {
       const std::int32_t instance = surfaces[at], material = surfaces[at + 1];
       require(below(instance, instances) && below(material, materials.size()));
       require(samples[at] >= 0 && std::isfinite(samples[at]) && samples[at + 1] >= 0 &&
               std::isfinite(samples[at + 1]));
       const FirstSurface seen{instance, material < 0 ? nullptr : &materials[std::size_t(material)]};
-      pixels_[i].push_back({seen, samples[at], samples[at + 1]});
+      entries.push_back({seen, samples[at], samples[at + 1]});
     }
   }
   require(at == surfaces.size());
 }
+
+template void Mattes::save(CheckpointWriter&, const std::vector<Material>&,
+                           const std::vector<std::uint32_t>&) const;
+template void Mattes::save(ByteWriter&, const std::vector<Material>&,
+                           const std::vector<std::uint32_t>&) const;
+template void Mattes::restore(CheckpointReader&, const std::vector<Material>&, std::size_t,
+                              const std::vector<std::uint32_t>&);
+template void Mattes::restore(ByteReader&, const std::vector<Material>&, std::size_t,
+                              const std::vector<std::uint32_t>&);
 
 std::vector<Mattes::Share> Mattes::shares(int x, int y) const {
   const std::vector<Entry>& entries =

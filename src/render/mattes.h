@@ -53,9 +53,15 @@ class Mattes {
   std::vector<Share> shares(int x, int y) const;
   const MatteNames& names() const { return names_; }
 
-  void save(CheckpointWriter& out, const std::vector<Material>& materials) const;
+  /// Writes or reads the state of some pixels, given by their indices. For checkpoints and for
+  /// streams of bytes in memory.
+  template <class Writer>
+  void save(Writer& out, const std::vector<Material>& materials,
+            const std::vector<std::uint32_t>& pixels) const;
   /// Errors:  CheckpointError.
-  void restore(CheckpointReader& in, const std::vector<Material>& materials, std::size_t instances);
+  template <class Reader>
+  void restore(Reader& in, const std::vector<Material>& materials, std::size_t instances,
+               const std::vector<std::uint32_t>& pixels);
 
  private:
   struct Entry {

@@ -10,10 +10,6 @@
 namespace oriel {
 namespace {
 
-/// Tile size in pixels: small enough for two hundred tiles in a small picture, large enough for
-/// coherent rays.
-constexpr int kTile = 16;
-
 /// Minimum brightness of pixels in noise estimates, as a share of the picture's brightness.
 constexpr float kDarkestJudged = 0.01f;
 
@@ -26,8 +22,6 @@ constexpr double kFastest = 1.0 / 16;
 
 /// A pixel is judged by the squares of 11 x 11 pixels, whose mean is known to an eighth.
 constexpr int kJudgedRadius = 5;
-
-int tiles_across(int pixels) { return (pixels + kTile - 1) / kTile; }
 
 /// The samples of all pixels grow by at most this factor in a pass with a noise target.
 constexpr double kPassGrowth = 1.5;
@@ -108,11 +102,12 @@ std::uint32_t next_pass_target(std::uint32_t samples) {
   return (samples / step + 1) * step;
 }
 
-Progressive::Progressive(Film& film, const RenderBudget& budget)
-    : Progressive(film, budget, State{}) {}
-
-Progressive::Progressive(Film& film, const RenderBudget& budget, State state)
-    : film_(film), budget_(budget), state_(std::move(state)) {
+Progressive::Progressive(Film& film, const RenderBudget& budget, const PicturePart& part)
+    : film_(film),
+      budget_(budget),
+      is_whole_(part.is_whole()),
+      tiles_(TileGrid(film.width(), film.height()).part(part)),
+      pixels_(TileGrid(film.width(), film.height()).pixels(tiles_)) {
   budget_.max_samples = std::max(budget_.max_samples, 1u);
   state_.targets.resize(film.pixel_count());
   start_ = std::chrono::steady_clock::now();
@@ -143,10 +138,17 @@ bool Progressive::restore(State state) {
   return true;
 }
 
-bool Progressive::pass_is_complete() const {
-  for (std::size_t i = 0; i < state_.targets.size(); ++i)
-    if (film_.samples(i) < state_.targets[i]) return false;
+bool Progressive::raise_targets(const std::vector<std::uint32_t>& targets) {
+  if (targets.size() != film_.pixel_count()) return false;
+  for (const std::uint32_t i : pixels_)
+    if (targets[i] < film_.samples(i) || targets[i] > budget_.max_samples) return false;
+  for (const std::uint32_t i : pixels_) state_.targets[i] = targets[i];
   return true;
+}
+
+bool Progressive::pass_is_complete() const {
+  return std::all_of(pixels_.begin(), pixels_.end(),
+                     [&](std::uint32_t i) { return film_.samples(i) >= state_.targets[i]; });
 }
 
 bool Progressive::must_stop(const Callbacks& callbacks, const std::atomic<bool>* cancel) {
@@ -223,40 +225,56 @@ void Progressive::plan_for_pixels(Plan& plan, const std::vector<Film::Estimate>&
 
 Progressive::Plan Progressive::plan(const std::vector<Film::Estimate>& estimates,
                                     float noise) const {
-  std::vector<std::uint32_t> drawn(film_.pixel_count());
-  for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] = film_.samples(i);
-  const std::uint32_t lowest = drawn.empty() ? 0 : *std::min_element(drawn.begin(), drawn.end());
-  Plan plan{.targets = drawn};
+  Plan plan;
+  plan.targets.resize(film_.pixel_count());
+  std::uint32_t lowest = pixels_.empty() ? 0 : budget_.max_samples;
+  for (const std::uint32_t i : pixels_) {
+    plan.targets[i] = film_.samples(i);
+    lowest = std::min(lowest, plan.targets[i]);
+  }
   if (lowest >= budget_.max_samples) {
     plan.stop = StopReason::Samples;
     return plan;
   }
   const bool judged = budget_.noise > 0 && lowest >= kMinSplitSamples;
-  if (!judged) {
-    for (const std::uint32_t n : drawn) plan.missing += budget_.max_samples - n;
+  if (!judged || !is_whole_) {
+    for (const std::uint32_t i : pixels_) plan.missing += budget_.max_samples - plan.targets[i];
   } else if (budget_.every_pixel) {
     plan_for_pixels(plan, estimates);
   } else {
     plan_for_picture(plan, estimates, noise);
   }
-  if (judged && lowest >= budget_.min_samples) return plan;
+  if (judged && lowest >= budget_.min_samples) {
+    if (!is_whole_) plan.stop = StopReason::Part;
+    return plan;
+  }
   plan.stop.reset();
   const std::uint32_t next = std::min(next_pass_target(lowest), budget_.max_samples);
-  for (std::size_t i = 0; i < drawn.size(); ++i) plan.targets[i] = std::max(drawn[i], next);
+  for (const std::uint32_t i : pixels_) plan.targets[i] = std::max(film_.samples(i), next);
   return plan;
 }
 
 /// Whether the next pass has samples.
 bool Progressive::plan_grows() const {
-  for (std::size_t i = 0; i < next_.targets.size(); ++i)
-    if (next_.targets[i] > film_.samples(i)) return true;
-  return false;
+  return std::any_of(pixels_.begin(), pixels_.end(),
+                     [&](std::uint32_t i) { return next_.targets[i] > film_.samples(i); });
 }
 
-std::optional<StopReason> Progressive::begin_pass() {
+/// Why the plan of the next pass ends the render.
+std::optional<StopReason> Progressive::plan_stops() const {
   if (next_.stop) return next_.stop;
   // Without a pass all pixels that have noise have the most samples.
   if (!plan_grows()) return StopReason::Samples;
+  return std::nullopt;
+}
+
+std::optional<StopReason> Progressive::judge() {
+  estimate(0, 0);
+  return plan_stops();
+}
+
+std::optional<StopReason> Progressive::begin_pass() {
+  if (const std::optional<StopReason> stop = plan_stops()) return stop;
   if (out_of_time()) return StopReason::Time;
   state_.targets = next_.targets;
   return std::nullopt;
@@ -264,17 +282,23 @@ std::optional<StopReason> Progressive::begin_pass() {
 
 void Progressive::estimate(double seconds_of_run, double samples_of_run) {
   const double before = progress().done;
-  const std::vector<Film::Estimate> estimates = film_estimates(film_);
+  std::vector<Film::Estimate> estimates;
+  if (is_whole_) {
+    estimates = film_estimates(film_);
+  } else {
+    estimates.resize(pixels_.size());
+    parallel_for(pixels_.size(), [&](std::size_t i) { estimates[i] = film_.estimate(pixels_[i]); });
+  }
   const float picture = picture_brightness(estimates);
   const float noise = picture_noise(estimates, picture);
-  const auto pixels = static_cast<double>(film_.pixel_count());
+  const auto pixels = static_cast<double>(pixels_.size());
   next_ = plan(estimates, noise);
   const double missing = next_.missing;
   double active = 0;
-  for (std::size_t i = 0; i < film_.pixel_count(); ++i)
+  for (const std::uint32_t i : pixels_)
     active += !next_.stop && next_.targets[i] > film_.samples(i);
   last_.pass = state_.pass;
-  last_.mean_samples = film_.mean_samples();
+  last_.mean_samples = mean_samples();
   last_.active = pixels > 0 ? active / pixels : 0;
   last_.noise = std::isfinite(noise) ? std::optional(noise) : std::nullopt;
   last_.remaining.reset();
@@ -287,6 +311,13 @@ void Progressive::estimate(double seconds_of_run, double samples_of_run) {
   last_.done = std::max(before, done_share(last_.mean_samples));
 }
 
+double Progressive::mean_samples() const {
+  if (is_whole_) return film_.mean_samples();
+  double sum = 0;
+  for (const std::uint32_t i : pixels_) sum += film_.samples(i);
+  return pixels_.empty() ? 0 : sum / static_cast<double>(pixels_.size());
+}
+
 double Progressive::done_share(double mean_samples) const {
   double done = samples_in_all_ > 0 ? mean_samples / samples_in_all_ : 0;
   if (budget_.seconds > 0) done = std::max(done, elapsed_here() / budget_.seconds);
@@ -296,8 +327,8 @@ double Progressive::done_share(double mean_samples) const {
 Progress Progressive::progress() const {
   Progress p = last_;
   const std::uint64_t drawn = drawn_ - pass_start_samples_;
-  if (film_.pixel_count())
-    p.mean_samples += static_cast<double>(drawn) / static_cast<double>(film_.pixel_count());
+  if (!pixels_.empty())
+    p.mean_samples += static_cast<double>(drawn) / static_cast<double>(pixels_.size());
   p.elapsed = elapsed();
   p.done = std::max(p.done, done_share(p.mean_samples));
   return p;
@@ -305,12 +336,10 @@ Progress Progressive::progress() const {
 
 void Progressive::render_tile(int tile, const std::function<std::uint64_t(const Row&)>& render_row,
                               const Callbacks& callbacks, const std::atomic<bool>* cancel) {
-  const int across = tiles_across(film_.width());
-  const int x0 = tile % across * kTile, y0 = tile / across * kTile;
-  const int x1 = std::min(x0 + kTile, film_.width()), y1 = std::min(y0 + kTile, film_.height());
-  for (int y = y0; y < y1; ++y) {
+  const TileBounds b = TileGrid(film_.width(), film_.height()).bounds(tile);
+  for (int y = b.y0; y < b.y1; ++y) {
     if (must_stop(callbacks, cancel)) return;
-    drawn_ += render_row({x0, x1, y});
+    drawn_ += render_row({b.x0, b.x1, y});
   }
 
   const std::unique_lock lock(report_mutex_, std::try_to_lock);
@@ -322,17 +351,44 @@ void Progressive::render_tile(int tile, const std::function<std::uint64_t(const 
   callbacks.progress(p);
 }
 
+void Progressive::loop_over(const std::vector<int>& tiles,
+                            const std::function<std::uint64_t(const Row&)>& render_row) {
+  const TileGrid grid(film_.width(), film_.height());
+  cancelled_ = timed_out_ = paused_ = false;
+  parallel_for(tiles.size(), [&](std::size_t i) {
+    const TileBounds b = grid.bounds(tiles[i]);
+    for (int y = b.y0; y < b.y1; ++y) drawn_ += render_row({b.x0, b.x1, y});
+  });
+}
+
+/// The tiles that the running pass still has to render, those with most samples first.
+std::vector<int> Progressive::incomplete_tiles() const {
+  const TileGrid grid(film_.width(), film_.height());
+  std::vector<std::pair<std::uint64_t, int>> missing;
+  for (const int tile : tiles_) {
+    std::uint64_t samples = 0;
+    for (const std::uint32_t i : grid.pixels({tile}))
+      samples += state_.targets[i] - std::min(film_.samples(i), state_.targets[i]);
+    if (samples > 0) missing.emplace_back(samples, tile);
+  }
+  std::stable_sort(missing.begin(), missing.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<int> tiles;
+  for (const auto& [samples, tile] : missing) tiles.push_back(tile);
+  return tiles;
+}
+
 /// Draws the samples of a pass, with pauses.
 void Progressive::run_pass(const std::function<std::uint64_t(const Row&)>& render_row,
                            const Callbacks& callbacks, const std::atomic<bool>* cancel) {
-  const auto tiles = static_cast<std::size_t>(tiles_across(film_.width())) *
-                     static_cast<std::size_t>(tiles_across(film_.height()));
   bool complete = false;
   do {
     paused_ = false;
-    parallel_for(tiles, [&](std::size_t tile) {
-      render_tile(static_cast<int>(tile), render_row, callbacks, cancel);
-    });
+    const auto render = [&](int tile) { render_tile(tile, render_row, callbacks, cancel); };
+    if (callbacks.spread)
+      callbacks.spread(incomplete_tiles(), render, [&] { return must_stop(callbacks, cancel); });
+    else
+      parallel_for(tiles_.size(), [&](std::size_t i) { render(tiles_[i]); });
     const bool stopped = paused_ || cancelled_ || timed_out_;
     complete = !stopped || pass_is_complete();
     if (complete) ++state_.pass;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "render/film.h"
+#include "render/tiles.h"
 
 namespace oriel {
 
@@ -28,8 +29,9 @@ struct RenderBudget {
   bool operator==(const RenderBudget&) const = default;
 };
 
-/// MapsOnly: there is no picture, since the options request caches of indirect light only.
-enum class StopReason : std::uint8_t { Samples, Noise, Time, Cancelled, MapsOnly };
+/// MapsOnly: there is no picture, since the options request caches of indirect light only. Part:
+/// the further samples of a part depend on the pixels of the other parts.
+enum class StopReason : std::uint8_t { Samples, Noise, Time, Cancelled, MapsOnly, Part };
 
 /// Progress of a render.
 struct Progress {
@@ -54,6 +56,8 @@ struct Progress {
 ///          to the next n_k, and the render ends when no pixel is above it.
 ///          All this is decided between passes from the film alone, so the picture is the same for
 ///          any number of threads.
+///          A part of a picture draws the samples of its tiles. Passes with a noise target depend
+///          on the whole film: before them the part ends, see next_targets() and raise_targets().
 ///          Noise of a pixel: error of its brightness over sqrt(L M), L its brightness and M the
 ///          picture's. Dark regions may thus be noisier than bright ones, which is less visible
 ///          there, and the noise does not depend on the unit of the scene. The error is the
@@ -77,20 +81,34 @@ class Progressive {
   /// each pass, while the film does not change. `wants_pause` is called often, from any thread;
   /// after it returned true, all threads stop between two samples, and `paused` is called once.
   /// Then the pass continues.
+  /// `spread` may be empty; else it calls the function for tiles, concurrently, in place of a loop
+  /// on this machine, until all of them have their samples or `stops` returns true; other processes
+  /// may render some of them.
+  using TileLoop = std::function<void(const std::vector<int>& tiles,
+                                      const std::function<void(int tile)>& render_tile,
+                                      const std::function<bool()>& stops)>;
   struct Callbacks {
     std::function<void(const Progress&)> progress, pass;
     std::function<bool()> wants_pause;
     std::function<void()> paused;
+    TileLoop spread = {};
   };
 
-  Progressive(Film& film, const RenderBudget& budget);
-  Progressive(Film& film, const RenderBudget& budget, State state);
+  Progressive(Film& film, const RenderBudget& budget, const PicturePart& part = {});
 
   /// Calls sample(x, y, index, FilmSample&) for each sample, concurrently.
   /// Inputs:  cancel: ends the render soon after it becomes true; may be null.
   template <class Sample>
   StopReason run(const Sample& sample, const Callbacks& callbacks = {},
                  const std::atomic<bool>* cancel = nullptr);
+
+  /// Draws the samples of some tiles up to given targets: the work of another process.
+  template <class Sample>
+  void draw_tiles(const Sample& sample, const std::vector<int>& tiles);
+  /// Sets targets of pixels without tests, before draw_tiles().
+  std::vector<std::uint32_t>& targets() { return state_.targets; }
+  /// Counts samples that another process drew.
+  void count_drawn(std::uint64_t samples) { drawn_ += samples; }
 
   /// Counts the time from then on; before the first run.
   void begin_at(std::chrono::steady_clock::time_point start);
@@ -99,8 +117,19 @@ class Progressive {
   /// Returns: false if the state fits neither film nor budget; it is then unchanged.
   bool restore(State state);
 
+  /// Decides on the film as it is, without drawing samples, whether the render is done.
+  /// Returns: why it is; nothing if next_targets() has more samples.
+  std::optional<StopReason> judge();
+  /// The samples that each pixel reaches in the pass after judge().
+  const std::vector<std::uint32_t>& next_targets() const { return next_.targets; }
+  /// Sets the targets of the running pass, which only increase; those of other parts are ignored.
+  /// Returns: false if they do not fit film and budget; nothing is changed then.
+  bool raise_targets(const std::vector<std::uint32_t>& targets);
+
   const State& state() const { return state_; }
   Progress progress() const;
+  /// The pixels of the part, tile by tile.
+  const std::vector<std::uint32_t>& pixels() const { return pixels_; }
 
  private:
   struct Row {
@@ -108,6 +137,12 @@ class Progressive {
   };
   /// Samples between tests whether a row has to stop: at most a few milliseconds.
   static constexpr std::uint64_t kSamplesBetweenTests = 64;
+  template <class Sample>
+  std::function<std::uint64_t(const Row&)> row_renderer(const Sample& sample,
+                                                        const Callbacks& callbacks,
+                                                        const std::atomic<bool>* cancel);
+  void loop_over(const std::vector<int>& tiles,
+                 const std::function<std::uint64_t(const Row&)>& render_row);
   StopReason run_rows(const std::function<std::uint64_t(const Row&)>& render_row,
                       const Callbacks& callbacks, const std::atomic<bool>* cancel);
   void run_pass(const std::function<std::uint64_t(const Row&)>& render_row,
@@ -120,6 +155,7 @@ class Progressive {
   };
   Plan plan(const std::vector<Film::Estimate>& estimates, float noise) const;
   bool plan_grows() const;
+  std::optional<StopReason> plan_stops() const;
   void plan_for_picture(Plan& plan, const std::vector<Film::Estimate>& estimates,
                         float noise) const;
   void plan_for_pixels(Plan& plan, const std::vector<Film::Estimate>& estimates) const;
@@ -129,8 +165,10 @@ class Progressive {
   void estimate(double seconds_of_run, double samples_of_run);
   std::vector<float> pooled_variance(const std::vector<Film::Estimate>& estimates,
                                      float Film::Estimate::*error) const;
+  double mean_samples() const;
   double done_share(double mean_samples) const;
   bool pass_is_complete() const;
+  std::vector<int> incomplete_tiles() const;
   double elapsed() const;
   /// Without the time of earlier runs, from whose checkpoint this one continues.
   double elapsed_here() const { return elapsed() - elapsed_elsewhere_; }
@@ -139,6 +177,9 @@ class Progressive {
 
   Film& film_;
   RenderBudget budget_;
+  bool is_whole_;
+  std::vector<int> tiles_;             ///< of the part
+  std::vector<std::uint32_t> pixels_;  ///< of the tiles
   State state_;
   Progress last_;              ///< as of the last complete pass
   Plan next_;                  ///< the same
@@ -181,9 +222,9 @@ float picture_brightness(const std::vector<Film::Estimate>& estimates);
 std::uint32_t next_pass_target(std::uint32_t samples);
 
 template <class Sample>
-StopReason Progressive::run(const Sample& sample, const Callbacks& callbacks,
-                            const std::atomic<bool>* cancel) {
-  const auto render_row = [&](const Row& row) {
+std::function<std::uint64_t(const Progressive::Row&)> Progressive::row_renderer(
+    const Sample& sample, const Callbacks& callbacks, const std::atomic<bool>* cancel) {
+  return [this, &sample, &callbacks, cancel](const Row& row) {
     std::uint64_t drawn = 0;
     for (int x = row.x0; x < row.x1; ++x) {
       const auto pixel = static_cast<std::size_t>(row.y) * static_cast<std::size_t>(film_.width()) +
@@ -197,7 +238,18 @@ StopReason Progressive::run(const Sample& sample, const Callbacks& callbacks,
     }
     return drawn;
   };
-  return run_rows(render_row, callbacks, cancel);
+}
+
+template <class Sample>
+StopReason Progressive::run(const Sample& sample, const Callbacks& callbacks,
+                            const std::atomic<bool>* cancel) {
+  return run_rows(row_renderer(sample, callbacks, cancel), callbacks, cancel);
+}
+
+template <class Sample>
+void Progressive::draw_tiles(const Sample& sample, const std::vector<int>& tiles) {
+  const Callbacks none;
+  loop_over(tiles, row_renderer(sample, none, nullptr));
 }
 
 }  // namespace oriel

@@ -248,7 +248,8 @@ TEST(Progressive, GoingOnFromAStateGivesTheSameBytes) {
     Progressive first(film, budget);
     const auto stop = [&](const Progress& p) { cancel = p.pass == passes; };
     EXPECT_EQ(first.run(noisy_half, {{}, stop}, &cancel), StopReason::Cancelled);
-    Progressive second(film, budget, first.state());
+    Progressive second(film, budget);
+    ASSERT_TRUE(second.restore(first.state()));
     second.run(noisy_half);
     EXPECT_TRUE(same_bytes(film, rendered(0, budget))) << passes;
   }
@@ -268,7 +269,8 @@ TEST(Progressive, GoingOnFromAnInterruptedPassGivesTheSameBytes) {
         },
         {}, &cancel);
     EXPECT_EQ(reason, StopReason::Cancelled);
-    Progressive second(film, budget, first.state());
+    Progressive second(film, budget);
+    ASSERT_TRUE(second.restore(first.state()));
     second.run(noisy_half);
     EXPECT_TRUE(same_bytes(film, rendered(0, budget))) << stop_after;
   }

@@ -8,8 +8,10 @@
 #include <mutex>
 #include <utility>
 
+#include "base/byte_stream.h"
 #include "color/luminance.h"
 #include "render/eye_rays.h"
+#include "render/pixel_state.h"
 #include "render/state_shaders.h"
 #include "runtime/color_mapping.h"
 #include "sampling/sampler.h"
@@ -82,10 +84,11 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       budget_(render_budget(world.options, settings.budget)),
       film_(window_.width(), window_.height(), filter_, display_map(world, window_),
             film_request(world, settings)),
-      progressive_(film_, budget_),
+      progressive_(film_, budget_, settings.part),
       map_files_(settings.map_files),
       diagnostics_(settings.diagnostics ? *settings.diagnostics : unheard_),
       integrator_(make_integrator(world)),
+      saves_caches_(!settings.save_without_caches),
       started_(settings.started) {
   if (settings.mattes) mattes_.emplace(film_.width(), film_.height(), filter_, *settings.mattes);
 }
@@ -132,8 +135,8 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, PathRecord& 
   return s;
 }
 
-StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks& callbacks,
-                               const std::atomic<bool>* cancel) {
+template <class Draw>
+void RenderSession::with_sampler(const Draw& draw) {
   const RecordRequest request{.aovs = film_.keeps_outputs(),
                               .irradiance = irradiance_,
                               .first_surfaces = mattes_.has_value(),
@@ -159,8 +162,14 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
     for (const PerThread& thread : threads) sum += thread.counts;
     return sum;
   };
-  const StopReason reason = passes.run(draw_one, callbacks, cancel);
+  draw(draw_one);
   rays_ += std::exchange(rays_of_threads_, nullptr)();
+}
+
+StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks& callbacks,
+                               const std::atomic<bool>* cancel) {
+  StopReason reason{};
+  with_sampler([&](const auto& draw_one) { reason = passes.run(draw_one, callbacks, cancel); });
   return reason;
 }
 
@@ -204,8 +213,8 @@ IntegratorPreparation RenderSession::preparation(const ProgressMonitor& monitor,
   // The time limit does not count: a render that continues may have another one.
   const bool fixed = !(budget_.noise > 0) && budget_.max_samples <= kMostExpected;
   const double samples = fixed ? budget_.max_samples : kUsualSamples;
-  return {maps_window_, picture, pixels * samples,      seed_, map_files_,
-          diagnostics_, monitor, std::move(after_pass), rays_};
+  return {maps_window_, picture, pixels * samples,      seed_,        map_files_,
+          diagnostics_, monitor, std::move(after_pass), rays_of_maps_};
 }
 
 StopReason RenderSession::show_preview() {
@@ -226,6 +235,8 @@ StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
   if (!prepared_) {
     prepare_maps(callbacks, cancel);
     if (integrator_->caches_only()) return StopReason::MapsOnly;
+    // A part has no picture to show, and its pixels can be saved without caches.
+    if (!saves_caches_ && cancel && *cancel) return StopReason::Cancelled;
     prepared_ = true;
     state_is_whole_ = !(cancel && *cancel && integrator_->has_caches());
     if (!state_is_whole_) {
@@ -238,34 +249,147 @@ StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
   return draw(progressive_, callbacks, cancel);
 }
 
+/// Writes or reads the state of some pixels.
+template <class Checkpoint>
+void RenderSession::visit_pixels(Checkpoint& checkpoint, const std::vector<std::uint32_t>& pixels,
+                                 std::vector<std::uint32_t>& targets) {
+  PixelState<Checkpoint> state(checkpoint, pixels, film_.pixel_count());
+  film_.visit_state(state);
+  state.array(targets);
+  if (!mattes_) return;
+  if constexpr (Checkpoint::kReads)
+    mattes_->restore(checkpoint, world_.materials, world_.instances.size(), pixels);
+  else
+    mattes_->save(checkpoint, world_.materials, pixels);
+}
+
 void RenderSession::save(CheckpointWriter& out) {
-  integrator_->save(out);
-  film_.visit_state(out);
-  if (mattes_) mattes_->save(out, world_.materials);
-  const Progressive::State& state = progressive_.state();
-  out.value(state.pass);
+  out.value(static_cast<std::uint8_t>(saves_caches_));
+  out.value(static_cast<std::uint8_t>(has_unknown_light()));
+  if (saves_caches_) integrator_->save(out);
+  std::vector<std::uint32_t> targets = progressive_.state().targets;
+  visit_pixels(out, progressive_.pixels(), targets);
+  out.value(progressive_.state().pass);
   out.value(progressive_.progress().elapsed);
-  out.array(state.targets);
   RayCounts rays = rays_;
   if (rays_of_threads_) rays += rays_of_threads_();
+  visit_counts(out, rays_of_maps_);
   visit_counts(out, rays);
 }
 
 void RenderSession::restore(CheckpointReader& in) {
+  std::uint8_t has_caches = 0, unknown_light = 0;
+  in.value(has_caches);
+  in.value(unknown_light);
   const ProgressMonitor monitor;
-  integrator_->restore(in, preparation(monitor, {}));
-  film_.visit_state(in);
-  if (mattes_) mattes_->restore(in, world_.materials, world_.instances.size());
-  Progressive::State state;
+  if (has_caches != static_cast<std::uint8_t>(saves_caches_))
+    throw CheckpointError("it belongs to another kind of render");
+  if (saves_caches_) integrator_->restore(in, preparation(monitor, {}));
+  Progressive::State state{.pass = 0, .targets = progressive_.state().targets};
+  visit_pixels(in, progressive_.pixels(), state.targets);
   in.value(state.pass);
   in.value(state.elapsed);
-  state.targets.resize(film_.pixel_count());
-  in.array(state.targets);
+  RayCounts of_maps;
+  visit_counts(in, of_maps);
   visit_counts(in, rays_);
   in.end();
   if (!progressive_.restore(std::move(state))) throw CheckpointError("its pixels are invalid");
-  if (started_) progressive_.begin_at(*started_);
+  if (saves_caches_) rays_of_maps_ = of_maps;
+  if (saves_caches_ && started_) progressive_.begin_at(*started_);
+  prepared_ |= saves_caches_;
+  state_is_whole_ = true;
+}
+
+bool RenderSession::prepare(const Progressive::Callbacks& callbacks,
+                            const std::atomic<bool>* cancel) {
+  prepare_maps({callbacks.progress, {}, {}, {}}, cancel);
+  prepared_ = state_is_whole_ = !(cancel && *cancel);
+  if (prepared_ && started_) progressive_.begin_at(*started_);
+  return prepared_;
+}
+
+void RenderSession::save_maps(CheckpointWriter& out) {
+  integrator_->save(out);
+  visit_counts(out, rays_of_maps_);
+}
+
+void RenderSession::read_maps(CheckpointReader& in) {
+  const ProgressMonitor monitor;
+  integrator_->restore(in, preparation(monitor, {}));
+  visit_counts(in, rays_of_maps_);
+  in.end();
   prepared_ = state_is_whole_ = true;
+  if (started_) progressive_.begin_at(*started_);
+}
+
+std::string RenderSession::pack_tiles(const std::vector<int>& tiles) {
+  ByteWriter out;
+  visit_pixels(out, TileGrid(film_.width(), film_.height()).pixels(tiles), progressive_.targets());
+  return out.take();
+}
+
+void RenderSession::unpack_tiles(const std::vector<int>& tiles, std::string_view bytes) {
+  ByteReader in(bytes);
+  visit_pixels(in, TileGrid(film_.width(), film_.height()).pixels(tiles), progressive_.targets());
+}
+
+RayCounts RenderSession::draw_tiles(const std::vector<int>& tiles) {
+  const RayCounts before = std::exchange(rays_, {});
+  with_sampler([&](const auto& draw_one) { progressive_.draw_tiles(draw_one, tiles); });
+  const RayCounts drawn = rays_;
+  rays_ += before;
+  return drawn;
+}
+
+void RenderSession::add_tiles(const std::vector<int>& tiles, std::string_view bytes,
+                              const RayCounts& rays) {
+  const std::vector<std::uint32_t> pixels = TileGrid(film_.width(), film_.height()).pixels(tiles);
+  const auto samples = [&] {
+    std::uint64_t sum = 0;
+    for (const std::uint32_t i : pixels) sum += film_.samples(i);
+    return sum;
+  };
+  const std::uint64_t before = samples();
+  unpack_tiles(tiles, bytes);
+  progressive_.count_drawn(samples() - before);
+  rays_ += rays;
+}
+
+void RenderSession::add_part(CheckpointReader& in, const PicturePart& part) {
+  std::uint8_t has_caches = 0, unknown_light = 0;
+  in.value(has_caches);
+  in.value(unknown_light);
+  if (has_caches != 0) throw CheckpointError("it is not a part of a picture");
+  merged_.targets.resize(film_.pixel_count());
+  const TileGrid grid(film_.width(), film_.height());
+  visit_pixels(in, grid.pixels(grid.part(part)), merged_.targets);
+  std::int32_t pass = 0;
+  double seconds = 0;
+  RayCounts rays;
+  in.value(pass);
+  in.value(seconds);
+  visit_counts(in, rays_of_maps_);
+  visit_counts(in, rays);
+  in.end();
+  rays_ += rays;
+  parts_have_unknown_light_ |= unknown_light != 0;
+  merged_.pass = std::max(merged_.pass, pass);
+  merged_.elapsed = std::max(merged_.elapsed, seconds);
+}
+
+std::optional<StopReason> RenderSession::judge_parts() {
+  merged_.targets.resize(film_.pixel_count());
+  for (std::size_t i = 0; i < merged_.targets.size(); ++i)
+    if (film_.samples(i) != merged_.targets[i]) throw CheckpointError("the parts are not finished");
+  if (!progressive_.restore(std::move(merged_)))
+    throw CheckpointError("the pixels of the parts are invalid");
+  prepared_ = state_is_whole_ = true;
+  return progressive_.judge();
+}
+
+void RenderSession::raise_targets(const std::vector<std::uint32_t>& targets) {
+  if (!progressive_.raise_targets(targets))
+    throw CheckpointError("its numbers of samples are invalid");
 }
 
 }  // namespace oriel

@@ -38,6 +38,10 @@ struct SessionSettings {
   /// pixel. Must outlive the session.
   PathObserver* observer = nullptr;
   std::optional<MatteNames> mattes = {};  ///< store the first surfaces of each pixel
+  PicturePart part = {};                  ///< only its pixels get samples
+  /// The caches of indirect light are not part of save(): restore() leaves them to run(). For
+  /// parts, of which each would contain the same caches.
+  bool save_without_caches = false;
   MapFiles map_files = {};
   Diagnostics* diagnostics = nullptr;  ///< for map files; must outlive the session; may be null
   /// When the time limit and Progress::elapsed start; default: with the first pass.
@@ -68,13 +72,48 @@ class RenderSession {
   /// Whether save() is possible: all caches exist, and the picture is not a preview. Within run()
   /// only from callbacks.paused.
   bool can_save() const { return state_is_whole_; }
-  /// Writes caches, film, mattes and progress.
+  /// Writes caches, film, mattes and progress of the part.
   void save(CheckpointWriter& out);
   /// Reads them before the first run, which then continues where the other render was. World and
   /// settings must be the same, except for the time limit.
   /// Errors:  CheckpointError; the session can then not be used any more.
   /// Checked: Resume.* in tests/faults, SessionState.*
   void restore(CheckpointReader& in);
+
+  /// Computes what run() needs before the picture: the caches of indirect light and what paths
+  /// learn. Returns false if cancelled.
+  bool prepare(const Progressive::Callbacks& callbacks = {},
+               const std::atomic<bool>* cancel = nullptr);
+  /// Writes the result of prepare(); read_maps() of a session with the same world and settings
+  /// reads it before run().
+  /// Errors:  CheckpointError; the session can then not be used any more.
+  void save_maps(CheckpointWriter& out);
+  void read_maps(CheckpointReader& in);
+
+  /// Writes the pixels of tiles and the samples that they have to reach, for a session of another
+  /// process with the same world and settings; or reads them.
+  /// Errors:  std::runtime_error.
+  std::string pack_tiles(const std::vector<int>& tiles);
+  void unpack_tiles(const std::vector<int>& tiles, std::string_view bytes);
+  /// Draws their missing samples, after prepare() or read_maps().
+  /// Returns: the rays of this call.
+  RayCounts draw_tiles(const std::vector<int>& tiles);
+  /// Reads tiles that draw_tiles() of another process completed. The running pass is not paused.
+  void add_tiles(const std::vector<int>& tiles, std::string_view bytes, const RayCounts& rays);
+
+  /// Adds the pixels of a part that another session saved without caches. World and settings must
+  /// be the same, except that this session has the whole picture.
+  /// Errors:  CheckpointError; the session can then not be used any more.
+  void add_part(CheckpointReader& in, const PicturePart& part);
+  /// After all parts were added: decides whether the picture is done; run() then ends at once.
+  /// Returns: why it is done; nothing if next_targets() has more samples.
+  /// Errors:  CheckpointError if the parts do not fit each other.
+  std::optional<StopReason> judge_parts();
+  /// The samples that each pixel gets in the next pass, after judge_parts().
+  const std::vector<std::uint32_t>& next_targets() const { return progressive_.next_targets(); }
+  /// Sets the samples that each pixel gets in the running pass of a part, before run().
+  /// Errors:  CheckpointError if they do not fit the part.
+  void raise_targets(const std::vector<std::uint32_t>& targets);
 
   const World& world() const { return world_; }
   const Film& film() const { return film_; }
@@ -84,13 +123,17 @@ class RenderSession {
   const Integrator& integrator() const { return *integrator_; }
   const RenderBudget& budget() const { return budget_; }
   Progress progress() const { return progressive_.progress(); }
-  const RayCounts& rays() const { return rays_; }
+  RayCounts rays() const {
+    RayCounts sum = rays_of_maps_;
+    return sum += rays_;
+  }
   bool keeps_irradiance() const { return irradiance_; }
   float unit_luminance() const { return unit_luminance_; }
   /// Whether some light may belong to no light layer: light from map files, from grids of
   /// interpolated reflections, or from shaders that return finished colours.
   bool has_unknown_light() const {
-    return integrator_->has_unknown_light() || world_.light_layers.some_unknown;
+    return parts_have_unknown_light_ || integrator_->has_unknown_light() ||
+           world_.light_layers.some_unknown;
   }
 
  private:
@@ -100,6 +143,12 @@ class RenderSession {
   void prepare_maps(const Progressive::Callbacks& callbacks, const std::atomic<bool>* cancel);
   StopReason show_preview();
   void clear_film();
+  template <class Checkpoint>
+  void visit_pixels(Checkpoint& checkpoint, const std::vector<std::uint32_t>& pixels,
+                    std::vector<std::uint32_t>& targets);
+  /// Calls draw(sample) with a function that draws one sample, and counts its rays.
+  template <class Draw>
+  void with_sampler(const Draw& draw);
   StopReason draw(Progressive& passes, const Progressive::Callbacks& callbacks,
                   const std::atomic<bool>* cancel);
 
@@ -119,10 +168,13 @@ class RenderSession {
   Diagnostics unheard_;  ///< used if SessionSettings::diagnostics is null
   Diagnostics& diagnostics_;
   std::unique_ptr<Integrator> integrator_;
+  bool saves_caches_;
+  bool parts_have_unknown_light_ = false;
+  Progressive::State merged_;    ///< of the parts so far
   bool prepared_ = false;        ///< the integrator has its caches
   bool state_is_whole_ = false;  ///< see can_save()
   std::optional<std::chrono::steady_clock::time_point> started_;
-  RayCounts rays_;
+  RayCounts rays_, rays_of_maps_;
   std::function<RayCounts()> rays_of_threads_;  ///< not yet in rays_; empty outside of draw()
 };
 

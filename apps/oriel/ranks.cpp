@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ranks.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <tbb/task_arena.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include "base/byte_stream.h"
+#include "checkpoint_labels.h"
+#include "command.h"
+#include "mpi/interface.h"
+
+namespace oriel::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A look for messages takes a few microseconds.
+constexpr std::chrono::milliseconds kBetweenLooks{1};
+
+int number_in_environment(const char* name) {
+  const char* text = std::getenv(name);
+  return text ? std::atoi(text) : 0;
+}
+
+/// Processes of the job; 0 if this is none of a job that MPI knows.
+int processes_of_job() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    if (const int count = number_in_environment(name); count > 0) return count;
+  // PMIx names no size; under srun it is that of the step.
+  if (std::getenv("PMIX_RANK")) return std::max(number_in_environment("SLURM_STEP_NUM_TASKS"), 1);
+  return 0;
+}
+
+/// srun without a plugin for MPI starts processes that do not know of each other.
+void require_known_step() {
+  const int tasks = number_in_environment("SLURM_STEP_NUM_TASKS");
+  if (tasks > 1)
+    throw UserError(
+        fmt::format("srun started {} processes that would each render the whole picture; start "
+                    "them with srun --mpi=pmix, or one process with srun -n 1",
+                    tasks));
+}
+
+const OrielMpi* load_module() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+  std::string reason = "it is not installed";
+  for (const fs::path& folder : {program, program.parent_path() / "lib" / "oriel"}) {
+    const fs::path file = folder / "oriel_mpi.so";
+    if (!fs::exists(file, error)) continue;
+    // Global: Open MPI loads plugins that need its symbols.
+    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
+    if (!library) {
+      reason = dlerror();
+      continue;
+    }
+    const auto get = reinterpret_cast<const OrielMpi* (*)()>(dlsym(library, "oriel_mpi"));
+    if (get && get()->version == ORIEL_MPI_VERSION) return get();
+    reason = fmt::format("'{}' belongs to another version", file.string());
+  }
+  throw UserError(fmt::format(
+      "this process is one of several of an MPI job, and the module oriel_mpi.so cannot be used: "
+      "{}; start one process, or build Oriel with libopenmpi-dev",
+      reason));
+}
+
+std::string host_name() {
+  char name[256] = {};
+  return gethostname(name, sizeof name - 1) == 0 ? name : "unknown host";
+}
+
+}  // namespace
+
+std::unique_ptr<Ranks> Ranks::join() {
+  const int processes = processes_of_job();
+  if (processes == 0) require_known_step();
+  if (processes <= 1) return nullptr;
+  std::unique_ptr<Ranks> ranks(new Ranks);
+  ranks->finished_ = true;  // until there is a job to leave
+  const OrielMpi* mpi = load_module();
+  if (!mpi->begin(&ranks->rank_, &ranks->count_))
+    throw UserError("MPI cannot be started with several threads");
+  ranks->mpi_ = mpi;
+  ranks->finished_ = false;
+  if (ranks->count_ != processes)
+    throw UserError(
+        fmt::format("the job has {} processes, of which MPI knows {}; start them with "
+                    "mpirun or srun --mpi=pmix",
+                    processes, ranks->count_));
+  ranks->greet();
+  return ranks;
+}
+
+void Ranks::greet() {
+  const int threads = tbb::this_task_arena::max_concurrency();
+  const std::vector<std::string> programs = to_leader(program_label());
+  const std::vector<std::string> hosts = to_leader(host_name());
+  const std::vector<std::string> sizes = to_leader(std::to_string(threads));
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    if (programs[i] != programs[0])
+      throw UserError(fmt::format("rank {} on {} is {}, and rank 0 on {} is {}", i, hosts[i],
+                                  shown_label(programs[i]), hosts[0], programs[0]));
+    threads_.push_back(std::max(std::atoi(sizes[i].c_str()), 1));
+  }
+}
+
+Ranks::~Ranks() {
+  if (!finished_) mpi_->abort(kExitFailed);
+}
+
+void Ranks::send(int to, MessageKind kind, std::string bytes) {
+  mpi_->send(to, static_cast<int>(kind), bytes.data(), bytes.size());
+}
+
+void Ranks::flush() {
+  while (mpi_->is_sending()) std::this_thread::sleep_for(kBetweenLooks);
+}
+
+void Ranks::put_back(std::deque<RankMessage> messages) { waiting_ = std::move(messages); }
+
+std::optional<RankMessage> Ranks::receive() {
+  RankMessage message;
+  if (!waiting_.empty()) {
+    message = std::move(waiting_.front());
+    waiting_.pop_front();
+    return message;
+  }
+  int kind = 0;
+  const void* data = nullptr;
+  std::uint64_t size = 0;
+  if (!mpi_->receive(&message.from, &kind, &data, &size)) return std::nullopt;
+  message.kind = static_cast<MessageKind>(kind);
+  message.bytes.assign(static_cast<const char*>(data), size);
+  return message;
+}
+
+RankMessage Ranks::wait() {
+  while (true) {
+    if (auto message = receive()) return std::move(*message);
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
+}
+
+std::string Ranks::from_leader(std::string words) {
+  if (leads()) {
+    for (int to = 1; to < count_; ++to) send(to, MessageKind::Word, words);
+    return words;
+  }
+  while (true) {
+    RankMessage message = wait();
+    if (message.kind == MessageKind::Word) return std::move(message.bytes);
+  }
+}
+
+std::vector<std::string> Ranks::to_leader(const std::string& words) {
+  if (!leads()) {
+    send(0, MessageKind::Hello, words);
+    flush();
+    from_leader(std::string());  // so that the next words do not overtake these
+    return {};
+  }
+  std::vector<std::string> all(static_cast<std::size_t>(count_));
+  all[0] = words;
+  for (int missing = count_ - 1; missing > 0;) {
+    RankMessage message = wait();
+    if (message.kind != MessageKind::Hello) continue;  // of the picture before
+    all[static_cast<std::size_t>(message.from)] = std::move(message.bytes);
+    --missing;
+  }
+  from_leader(std::string());
+  return all;
+}
+
+std::vector<RankWork> Ranks::finish() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
+  };
+  work_.seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  work_.memory = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  ByteWriter own;
+  own.value(work_.useful_seconds);
+  own.value(work_.seconds);
+  own.value(work_.memory);
+  std::vector<RankWork> all;
+  for (const std::string& bytes : to_leader(own.take())) {
+    ByteReader in(bytes);
+    RankWork& work = all.emplace_back();
+    in.value(work.useful_seconds);
+    in.value(work.seconds);
+    in.value(work.memory);
+  }
+  flush();
+  mpi_->end();
+  finished_ = true;
+  return all;
+}
+
+}  // namespace oriel::app

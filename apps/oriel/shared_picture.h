@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// One picture that several ranks render.
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <vector>
+
+#include "checkpoints.h"
+#include "ranks.h"
+
+namespace oriel::app {
+
+struct RenderArguments;
+
+/// Refuses ranks whose session differs from that of rank 0 in scene, files or settings.
+/// Errors:  UserError in rank 0 that names the rank and the difference.
+void require_same_session(Ranks& ranks, const RenderArguments& arguments,
+                          const RenderSession& session);
+
+/// Computes what the session needs before the picture in rank 0, unless a checkpoint contained it,
+/// and copies it to the other ranks. Returns false if cancelled.
+bool share_maps(Ranks& ranks, RenderSession& session, const Progressive::Callbacks& callbacks,
+                const std::atomic<bool>* cancel);
+
+/// Hands out tiles in rank 0, which renders as well.
+///
+/// Model:   tiles with most samples first, in portions that become smaller toward the end of a
+///          pass. Every rank has one portion more than it renders, so that it does not wait for
+///          messages. The pixels of a tile are sent with the tile and return with all their
+///          samples: the film depends on no order. If the render pauses or is cancelled, tiles of
+///          other ranks count as not rendered until they return.
+/// Checked: Mpi.* in tests/faults
+class TileLeader {
+ public:
+  /// Inputs:  picture: another number for each picture of the job.
+  TileLeader(Ranks& ranks, RenderSession& session, int picture)
+      : ranks_(ranks), session_(session), picture_(picture) {}
+  /// For Progressive::Callbacks::spread.
+  void spread(const std::vector<int>& tiles, const std::function<void(int)>& render_tile,
+              const std::function<bool()>& stops);
+  /// After the picture: other ranks wait for the next one.
+  void end();
+
+ private:
+  using Portion = std::vector<int>;
+  std::optional<int> next_tile();
+  Portion next_portion(int rank);
+  void serve(const std::function<bool()>& stops);
+  void take(const RankMessage& message);
+  bool is_away(int tile) const;
+
+  Ranks& ranks_;
+  RenderSession& session_;
+  std::int32_t picture_;
+  std::mutex mutex_;
+  std::vector<int> queue_;                    ///< tiles, the next one last
+  std::map<int, std::vector<Portion>> away_;  ///< portions of each rank, in the order of sending
+};
+
+/// Renders tiles for rank 0 until the picture ends.
+void serve_tiles(Ranks& ranks, RenderSession& session);
+
+}  // namespace oriel::app

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// Several ranks of an MPI job render one picture: its bytes are those of one process.
+#include "resume_test.h"
+
+namespace oriel {
+namespace mpi_test {
+
+namespace fs = std::filesystem;
+
+class Mpi : public ResumeTest {
+ protected:
+  void SetUp() override {
+    const fs::path module = fs::path(ORIEL_PROGRAM).parent_path() / "oriel_mpi.so";
+    if (!fs::exists(module) || std::system("mpirun --version > mpi_version.txt 2>&1") != 0)
+      GTEST_SKIP() << "Open MPI is not installed, or was not when Oriel was built";
+  }
+
+  /// Renders scene.mi with several ranks. `before`: of the shell, before mpirun.
+  RunResult render_with(int ranks, const std::string& options,
+                        const std::string& after = "") const {
+    return shell(
+        "export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_mpi_yield_when_idle=1; "
+        "mpirun --allow-run-as-root --oversubscribe -np " +
+        std::to_string(ranks) + " \"$ORIEL\" render scene.mi --threads 1 " + options +
+        " > stdout.txt 2> stderr.txt" + after);
+  }
+
+  void expect_same(const Words& words, const std::vector<int>& counts) const {
+    const std::vector<char> whole = uninterrupted(words);
+    std::string options = "-o a.exr -q";
+    for (const std::string& word : words) options += " '" + word + "'";
+    for (const int ranks : counts) {
+      fs::remove(file("a.exr"));
+      const RunResult r = render_with(ranks, options);
+      EXPECT_EQ(r.exit_code, 0) << r.err;
+      ASSERT_TRUE(there("a.exr")) << r.err;
+      EXPECT_TRUE(bytes_of(file("a.exr")) == whole) << options << ", " << ranks << " ranks";
+    }
+  }
+};
+
+// acceptance: F4
+TEST_F(Mpi, AnyNumberOfRanksGivesTheSameBytes) {
+  expect_same({"--samples", "20", "--layers", "all", "--cryptomatte", "--light-group", "key=lamp*"},
+              {1, 2, 3, 7});
+  expect_same({"--noise", ".04"}, {3});
+}
+
+// acceptance: F2
+TEST_F(Mpi, RanksShareMaps) {
+  std::string text = small_scene("globillum on caustic on finalgather accuracy 32");
+  const std::string place = "origin 0 1 -3";
+  text.replace(text.find(place), place.size(),
+               place + " energy 5 5 5 globillum photons 1000 caustic photons 100");
+  write("scene.mi", text);
+  for (const char* method : {"path+cache", "fg+photons"})
+    expect_same({"--gi", method, "--samples", "16"}, {3});
+}
+
+TEST_F(Mpi, RanksRenderAnimations) {
+  write("scene.mi", small_scene() + "render \"root\" \"cam_inst\" \"opt\"\n");
+  ASSERT_EQ(render({"--samples", "8", "-o", "w.#.exr"}).exit_code, 0);
+  const RunResult r = render_with(2, "--samples 8 -o 'a.#.exr' -q");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  for (const char* number : {"1", "2"})
+    EXPECT_TRUE(bytes_of(file("a." + std::string(number) + ".exr")) ==
+                bytes_of(file("w." + std::string(number) + ".exr")))
+        << number;
+}
+
+// A rank is killed; the job ends with the last checkpoint of rank 0, from which another number of
+// ranks continues.
+// acceptance: F4
+TEST_F(Mpi, AKilledRankLeavesACheckpoint) {
+  const std::vector<char> whole = uninterrupted({"--samples", "600"});
+  const RunResult killed =
+      render_with(3, "--samples 600 -o a.exr --json --checkpoint 'a.chk,every .05'",
+                  " & job=$!; for i in $(seq 1000); do grep -q checkpoint stdout.txt && break; "
+                  "sleep .02; done; "
+                  "kill -9 $(ps -o pid= --ppid $job | tail -1); wait $job");
+  EXPECT_NE(killed.exit_code, 0);
+  ASSERT_TRUE(there("a.chk")) << killed.err;
+  fs::remove(file("a.exr"));  // the picture so far
+  const RunResult r = render_with(2, "--samples 600 -o a.exr --resume a.chk");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_NE(r.err.find("OR-RN-075"), std::string::npos) << r.err;
+  EXPECT_TRUE(bytes_of(file("a.exr")) == whole);
+}
+
+TEST_F(Mpi, PartsAreForSingleProcesses) {
+  const RunResult r = render_with(2, "-o a.exr --part 1/2");
+  EXPECT_NE(r.exit_code, 0);
+  EXPECT_NE(r.err.find("--part"), std::string::npos) << r.err;
+}
+
+class Srun : public FaultTest {};
+
+TEST_F(Srun, ProcessesThatDoNotKnowOfEachOtherAreRefused) {
+  const RunResult r = shell(
+      "SLURM_STEP_NUM_TASKS=8 \"$ORIEL\" render scene.mi -o a.exr > stdout.txt 2> stderr.txt");
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_NE(r.err.find("srun --mpi=pmix"), std::string::npos) << r.err;
+  EXPECT_EQ(r.error_lines(), 1) << r.err;
+  EXPECT_FALSE(there("a.exr"));
+}
+
+}  // namespace mpi_test
+}  // namespace oriel
