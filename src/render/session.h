@@ -30,8 +30,11 @@ struct SessionSettings {
       false;  ///< store the irradiance of first surfaces; costs a second path per sample
   SurfaceValues surface_values = {};  ///< stored values of first surfaces
   bool lights = true;                 ///< store the light layers of the world
-  float clamp = 0;                    ///< maximum of a sample's channels, pixel units; 0 = none
-  float unit_luminance = 1;           ///< cd/m2 of one unit of a pixel, see unit_luminance.h
+  /// A quick picture: paths without caches and without what is learned before the picture, one ray
+  /// for each lobe whatever the sample counts of materials.
+  bool draft = false;
+  float clamp = 0;                  ///< maximum of a sample's channels, pixel units; 0 = none
+  float unit_luminance = 1;         ///< cd/m2 of one unit of a pixel, see unit_luminance.h
   std::optional<Window> crop = {};  ///< window, clipped to the picture; default: that of the camera
   std::optional<Window> maps_for = {};  ///< window for gather points; default: the window
   /// Optional observer of paths; may be null. Called from any thread, so the window should be one
@@ -112,6 +115,7 @@ class RenderSession {
   PathObserver* observer_;
   FilterSampler filter_;
   RenderBudget budget_;
+  float paths_of_pixel_;  ///< see PathSettings
   Film film_;
   std::optional<Mattes> mattes_;
   Progressive progressive_;
