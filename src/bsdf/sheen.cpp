@@ -83,7 +83,8 @@ float sheen_albedo(float alpha, float cosine) {
   const int i = std::min(static_cast<int>(x), kCosines - 2);
   const int j = std::min(static_cast<int>(y), kWidths - 2);
   const auto row = [&](int k) {
-    const float* value = &table[static_cast<std::size_t>(k) * kCosines + static_cast<std::size_t>(i)];
+    const float* value =
+        &table[static_cast<std::size_t>(k) * kCosines + static_cast<std::size_t>(i)];
     return lerp(value[0], value[1], x - static_cast<float>(i));
   };
   return lerp(row(j), row(j + 1), y - static_cast<float>(j)) / cosine;
