@@ -101,7 +101,10 @@ void Controller::send_error(const json& id, const std::string& code, const std::
 
 /// Pauses for the user, and while the page is hidden or closed.
 void Controller::update_pause() {
-  if (session_) session_->set_paused(paused_ || hidden_ || left_);
+  if (!session_) return;
+  session_->set_paused(paused_ || hidden_ || left_);
+  last_state_ = -1;  // is sent although the state of the loop is the same
+  send_progress();
 }
 
 void Controller::client_connected() {
