@@ -40,6 +40,8 @@ void PreparedScene::close_world() {
 bool PreparedScene::read() {
   close_world();
   cache_ = {};
+  constexpr std::size_t kLargeMesh = 1 << 15;  // triangles, which take about 10 ms to build
+  cache_.least_apart = kLargeMesh;
   edited_.reset();
   diagnostics_.forget_after(0);
   scene_ = std::make_unique<scene::Scene>();

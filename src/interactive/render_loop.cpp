@@ -250,6 +250,7 @@ bool RenderLoop::run_final(const std::atomic<bool>& cancel) {
     SessionSettings settings = session_settings(1);
     settings.map_files = allowed_map_files(*scene_.world(), scene_.source().path, diagnostics_);
     settings.diagnostics = &diagnostics_;
+    settings.picture_if_cancelled = false;
     session_.emplace(*scene_.world(), settings);
   }
   Progressive::Callbacks callbacks;

@@ -39,6 +39,7 @@ class CachedIntegrator final : public Integrator {
   void restore(CheckpointReader& in, const IntegratorPreparation& p) override;
   void trace(const Camera::Ray& eye, Vec2 raster, float paths_of_pixel, PathRecord& record,
              sampling::Sampler& sampler, RayCounts& counts) const override;
+  bool is_prepared() const override { return prepared_; }
   bool has_caches() const override { return plan_.maps(); }
   bool caches_only() const override;
   std::size_t gather_points() const override { return cache_.records().size(); }
@@ -69,6 +70,7 @@ class CachedIntegrator final : public Integrator {
   LitSurfaces lit_;
   DirectionGuide guide_;
   bool read_files_ = false;
+  bool prepared_ = true;
 };
 
 }  // namespace oriel

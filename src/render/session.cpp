@@ -81,6 +81,7 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
     : world_(world),
       seed_(settings.seed),
       irradiance_(settings.irradiance),
+      picture_if_cancelled_(settings.picture_if_cancelled),
       unit_luminance_(settings.unit_luminance),
       clamp_(settings.clamp),
       window_(window_of(world, settings.crop)),
@@ -236,7 +237,10 @@ StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
     prepare_maps(callbacks, cancel);
     if (integrator_->caches_only()) return StopReason::MapsOnly;
     prepared_ = true;
-    state_is_whole_ = !(cancel && *cancel && integrator_->has_caches());
+    const bool is_partial =
+        integrator_->has_caches() || (!picture_if_cancelled_ && !integrator_->is_prepared());
+    state_is_whole_ = !(cancel && *cancel && is_partial);
+    if (!state_is_whole_ && !picture_if_cancelled_) return StopReason::Cancelled;
     if (!state_is_whole_) {
       Progressive once(film_, {.max_samples = 1});
       draw(once, {}, nullptr);

@@ -33,6 +33,9 @@ struct SessionSettings {
   /// A quick picture: paths without caches and without what is learned before the picture, one ray
   /// for each lobe whatever the sample counts of materials.
   bool draft = false;
+  /// Whether run() draws a picture if it is cancelled while the integrator is prepared. False: the
+  /// session can then not be continued, see can_save().
+  bool picture_if_cancelled = true;
   float clamp = 0;                  ///< maximum of a sample's channels, pixel units; 0 = none
   float unit_luminance = 1;         ///< cd/m2 of one unit of a pixel, see unit_luminance.h
   std::optional<Window> crop = {};  ///< window, clipped to the picture; default: that of the camera
@@ -109,6 +112,7 @@ class RenderSession {
   const World& world_;
   std::uint32_t seed_;
   bool irradiance_;
+  bool picture_if_cancelled_;
   float unit_luminance_;
   float clamp_;
   Window window_, maps_window_;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // After each kind of edit, undo and redo the picture is that of a scene that was read afresh.
 #include "interactive/edit_effects.h"
+
+#include <chrono>
+#include <thread>
+
 #include "interactive/loop_support.h"
 #include "mi/reader.h"
 #include "prepare/prepare.h"
@@ -261,6 +265,31 @@ TEST_F(RenderLoopTest, InterruptionsDoNotChangeThePicture) {
   }
   EXPECT_GT(runs, 0);
   EXPECT_EQ(beauty(loop), plain_picture(source(), small_view().budget));
+}
+
+TEST_F(RenderLoopTest, InterruptedPreparationsDoNotChangeThePicture) {
+  // The sky scene has lit surfaces, which are searched before the picture.
+  write("sky.mi", sky_scene());
+  const vector<float> plain = plain_picture(source("sky.mi"), small_view().budget);
+  LoopSettings settings;
+  settings.first_divider = 1;
+  RenderLoop loop(source("sky.mi"), settings, {});
+  loop.set_view(small_view());
+  ASSERT_TRUE(loop.read());
+  // At different moments of the preparation.
+  for (int milliseconds = 0; milliseconds < 40; milliseconds += 3) {
+    loop.set_edits({});
+    ASSERT_TRUE(loop.prepare());
+    std::atomic<bool> stop = false;
+    std::thread interruption([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+      stop = true;
+    });
+    loop.run(stop);
+    interruption.join();
+    finish(loop);
+    EXPECT_EQ(beauty(loop), plain) << milliseconds;
+  }
 }
 
 TEST_F(RenderLoopTest, BadEditsChangeNothing) {

@@ -21,12 +21,19 @@ const line = await new Promise((resolve) => createInterface({input: program.stdo
 const [, url, token] = /^(http:[^#]*)#token=(\w+)$/.exec(line);
 const browser = await openBrowser();
 
-/** Waits for the finished picture, denoised. */
-const finished = (page) => page.waitForFunction(() => {
-  const {session} = window.__studio.app, p = session.progress;
-  return p?.status === "converged" && p.epoch === session.state.epoch && session.frames.epoch === p.epoch &&
-         session.frames.names.includes("denoised") && window.__studio.drawnFrame === session.frames.frame;
-}, {timeout: 1500000});
+/** Waits for the finished picture, denoised; longer than one call of the browser may take. */
+async function finished(page) {
+  for (let second = 0; second < 1500; ++second) {
+    const done = await page.evaluate(() => {
+      const {session} = window.__studio.app, p = session.progress;
+      return p?.status === "converged" && p.epoch === session.state.epoch && session.frames.epoch === p.epoch &&
+             session.frames.names.includes("denoised") && window.__studio.drawnFrame === session.frames.frame;
+    });
+    if (done) return;
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+  }
+  throw new Error("the picture is not finished");
+}
 
 async function clickPicture(page, u, v) {
   const [x, y] = await page.evaluate((a, b) => {
