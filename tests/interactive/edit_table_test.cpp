@@ -133,6 +133,28 @@ TEST_F(EditCosts, ColoursOfOpaqueMaterialsPrepareNothingElse) {
   EXPECT_EQ(preparations_of("paint.transparency=.7"), 1u) << "shadows pass it";
 }
 
+TEST_F(EditCosts, ColoursOfGlassPrepareNothingElse) {
+  const vector<std::string> glass = {"paint.transparency=.7"};
+  const vector<std::string> tinted = {"paint.transparency=.7", "paint.refr_color=.2 .9 .3"};
+  RenderLoop live(source(), {}, {});
+  live.set_view(small_view());
+  ASSERT_TRUE(live.read());
+  live.set_edits(glass);
+  finish(live);
+  const vector<float> clear = beauty(live);
+  const std::size_t before = live.scene().preparations();
+  live.set_edits(tinted);
+  finish(live);
+  EXPECT_EQ(live.scene().preparations(), before);
+  RenderLoop fresh(source(), {}, {});
+  fresh.set_view(small_view());
+  ASSERT_TRUE(fresh.read());
+  fresh.set_edits(tinted);
+  finish(fresh);
+  EXPECT_EQ(beauty(live), beauty(fresh));
+  EXPECT_NE(beauty(live), clear);
+}
+
 TEST_F(EditCosts, ShadersThatAreBoundAgainDoNotPileUp) {
   RenderLoop loop(source(), {}, {});
   loop.set_view(small_view());
