@@ -94,7 +94,7 @@ const [width, height] = size ?? [640, 360];
 await pause(3000);
 const picked = await client.ask({ type: "pick", x: Math.floor(width / 3), y: Math.floor(height / 2) });
 console.log("| change | p50 | p95 |\n|---|---|---|");
-await measure(client, "colour", (i) => ({ type: "edit", edits: [`${picked.material}.diffuse=${0.3 + i / 100} .3 .3`] }));
+await measure(client, `colour of ${picked.material}`, (i) => ({ type: "edit", edits: [`${picked.material}.diffuse=${0.3 + i / 100} .3 .3`] }));
 await measure(client, "camera", (i) => ({
   type: "view", look: { from: [1 + i / 20, 1, 1.5], to: [3, 3, 1], up: [0, 0, 1] },
 }));

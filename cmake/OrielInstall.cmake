@@ -81,6 +81,14 @@ install(FILES ${CMAKE_BINARY_DIR}/shaders/oriel-shaders.pc DESTINATION lib/pkgco
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples/shaders DESTINATION share/oriel/examples
         COMPONENT shaders)
 
+# For programs that embed it: the C interface and its library.
+set_target_properties(oriel_embed PROPERTIES INSTALL_RPATH "$ORIGIN/oriel/libraries")
+install(TARGETS oriel_embed LIBRARY DESTINATION lib COMPONENT embedding)
+install(FILES ${CMAKE_SOURCE_DIR}/include/oriel/oriel.h DESTINATION include/oriel
+        COMPONENT embedding)
+install(FILES ${CMAKE_SOURCE_DIR}/examples/embed/relight.c DESTINATION share/oriel/examples/embed
+        COMPONENT embedding)
+
 # For those who use it: the pages, and what shells and `man` read.
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/README.md
               ${CMAKE_SOURCE_DIR}/CHANGELOG.md

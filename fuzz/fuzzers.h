@@ -9,7 +9,8 @@
 // clang-format off
 #define ORIEL_FUZZERS(X)                                                    \
   X(checkpoint) X(command) X(exr) X(gltf) X(gzip) X(include) X(layers)      \
-  X(maps) X(meshopt) X(mi) X(model) X(output) X(prepare) X(profile) X(tags)
+  X(maps) X(meshopt) X(mi) X(model) X(output) X(prepare) X(profile) X(studio)   \
+  X(tags)
 // clang-format on
 
 namespace oriel::fuzz {

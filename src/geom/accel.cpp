@@ -14,23 +14,10 @@
 #include "geom/motion.h"
 #include "geom/nearest_hit.h"
 #include "geom/refine_hit.h"
+#include "geom/usable_instance.h"
 
 namespace oriel::geom {
-
 namespace {
-
-bool is_usable(const Mat4& m) {
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 3; ++column)
-      if (!std::isfinite(m[row][column])) return false;
-  return determinant3(m) != 0;
-}
-
-bool is_usable(const InstanceDesc& desc) {
-  return is_usable(desc.local_to_world) && is_usable(desc.world_to_local) &&
-         std::all_of(desc.path.begin(), desc.path.end(),
-                     [](const Mat4& m) { return is_usable(m); });
-}
 
 /// Geometry ids in the scene of an instanced mesh; triangles have id 0.
 constexpr std::uint32_t kLines = 1, kBeziers = 2;
@@ -66,21 +53,22 @@ struct Accel::Impl {
     RTCScene scene = nullptr;     // used once the mesh has several instances
     std::uint32_t uses = 0;       // number of usable instances
     std::uint32_t baked = kNone;  // the instance in whose world space the mesh is stored
-    // The mesh was in the world space of an instance of the previous frame, which had these
-    // matrices.
+    // The mesh was in the world space of an instance of the previous frame, with these matrices.
     bool was_baked = false;
+    bool apart = false;  // `scene` contains the baked mesh, see keep_apart()
     Mat4 place, back;
   };
 
   std::atomic<std::int64_t> embree_bytes{0};
   Edges edges;
+  std::size_t least_apart = SIZE_MAX;
   RTCDevice device = nullptr;
   RTCScene top = nullptr;
   std::vector<MeshEntry> meshes;
   std::vector<InstanceDesc> instances;
   std::vector<bool> attached;          // per instance: attached to the Embree scene
   std::vector<std::uint32_t> pending;  // instances to attach at the next commit
-  // State of the previous frame, from begin_again() to commit().
+  // Of the previous frame, from begin_again() to commit():
   bool again = false, meshes_added = false;
   std::vector<InstanceDesc> before;
   std::vector<bool> before_attached;
@@ -177,10 +165,10 @@ struct Accel::Impl {
     attach(RTC_GEOMETRY_TYPE_ROUND_BEZIER_CURVE, curves.beziers, kBeziers);
   }
 
-  void attach_instance(std::uint32_t i) {
+  void attach_instance(std::uint32_t i, const InstanceDesc& placed) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(geometry, mesh_of(i).scene);
-    set_path_of(geometry, instances[i]);
+    set_path_of(geometry, placed);
     rtcSetGeometryMask(geometry, instances[i].mask);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(top, geometry, i);
@@ -189,19 +177,34 @@ struct Accel::Impl {
 
   void bake(std::uint32_t i, const Remake& remake) {
     MeshEntry& entry = mesh_of(i);
-    if (!entry.was_baked || entry.place != instances[i].local_to_world ||
-        entry.back != instances[i].world_to_local) {
+    const bool is_same = entry.was_baked && entry.place == instances[i].local_to_world &&
+                         entry.back == instances[i].world_to_local;
+    if (!is_same) {
       to_object_space(entry, remake);
       transform_mesh(entry.mesh, instances[i].local_to_world, instances[i].world_to_local);
     }
-    if (entry.scene) rtcReleaseScene(std::exchange(entry.scene, nullptr));
     entry.was_baked = false;
     entry.baked = i;
-    attach_triangles(top, entry.mesh, i, instances[i].mask);
+    const bool apart = entry.mesh.triangles.size() >= least_apart;
+    if (!apart || !is_same || !entry.apart) release_scene(entry);
+    if (!apart) return attach_triangles(top, entry.mesh, i, instances[i].mask);
+    if (!entry.scene) {
+      entry.scene = new_scene();
+      attach_triangles(entry.scene, entry.mesh, 0, RayMask::All);
+      rtcCommitScene(entry.scene);
+      entry.apart = true;
+    }
+    attach_instance(i, InstanceDesc());  // in place: without transform
+  }
+
+  static void release_scene(MeshEntry& entry) {
+    if (entry.scene) rtcReleaseScene(std::exchange(entry.scene, nullptr));
+    entry.apart = false;
   }
 
   void to_object_space(MeshEntry& entry, const Remake& remake) {
     if (!std::exchange(entry.was_baked, false)) return;
+    release_scene(entry);
     if (remake)
       entry.mesh = remake(static_cast<MeshId>(&entry - meshes.data()));
     else
@@ -226,8 +229,9 @@ struct Accel::Impl {
     rtcDetachGeometry(top, i);
     transform_mesh(entry.mesh, instances[i].world_to_local, instances[i].local_to_world);
     entry.baked = kNone;
+    release_scene(entry);
     build_scene_of(entry);
-    attach_instance(i);
+    attach_instance(i, instances[i]);
   }
 
   void build_scene_of(MeshEntry& entry) {
@@ -285,7 +289,7 @@ struct Accel::Impl {
       if (entry.baked != kNone) unbake(entry);
       to_object_space(entry, remake);
       if (!entry.scene) build_scene_of(entry);
-      attach_instance(i);
+      attach_instance(i, instances[i]);
     }
     pending.clear();
   }
@@ -294,6 +298,8 @@ struct Accel::Impl {
 Accel::Accel(Edges edges) : impl_(std::make_unique<Impl>(edges)), scene_(impl_->top) {}
 
 Accel::~Accel() = default;
+
+void Accel::keep_apart(std::size_t least_triangles) { impl_->least_apart = least_triangles; }
 
 MeshId Accel::add_mesh(Mesh mesh) {
   ORIEL_ASSERT(mesh.triangles.empty() || mesh.vertex_count() >= 3);
@@ -328,9 +334,14 @@ bool Accel::set_transform(std::uint32_t instance, const Mat4& local_to_world,
   RTCGeometry geometry = rtcGetGeometry(impl_->top, instance);
   if (entry.baked == instance) {
     transform_mesh(entry.mesh, from_world * local_to_world, world_to_local * to_world);
+    const RTCGeometry triangles = entry.apart ? rtcGetGeometry(entry.scene, 0) : geometry;
     for (unsigned step = 0; step < std::max<std::size_t>(1, entry.mesh.keys.size()); ++step)
-      rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, step);
-    rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0);
+      rtcUpdateGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, step);
+    rtcUpdateGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0);
+    if (entry.apart) {
+      rtcCommitGeometry(triangles);
+      rtcCommitScene(entry.scene);
+    }
   } else {
     set_path_of(geometry, impl_->instances[instance]);
   }

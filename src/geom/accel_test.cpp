@@ -288,7 +288,9 @@ std::vector<float> scan(const Accel& accel) {
   return seen;
 }
 
-TEST(NextFrame, UpdateEqualsANewAccelBitForBit) {
+/// Updates an accel from frame to frame and compares each with a new one. least_apart: see
+/// Accel::keep_apart(), of the updated one.
+void expect_updates_equal_new_accels(std::size_t least_apart) {
   Random random(7);
   const Mat4 a = random.placement(1, 0.2f, false), b = random.placement(1, 0.2f, true);
   // Lists of instances by mesh and position: single, several, moved and none per mesh.
@@ -298,6 +300,7 @@ TEST(NextFrame, UpdateEqualsANewAccelBitForBit) {
                           {{1, a}, {1, b}},         {{1, b}}};
   const auto make = [](int mesh) { return mesh == 0 ? unit_triangle() : ball(8); };
   Accel accel;
+  accel.keep_apart(least_apart);
   std::vector<std::pair<int, MeshId>> kept;
   int made = 0;
   for (const Frame& frame : frames) {
@@ -334,6 +337,42 @@ TEST(NextFrame, UpdateEqualsANewAccelBitForBit) {
   // Only meshes that had a single instance and now have another one, or several.
   EXPECT_GT(made, 0);
   EXPECT_LT(made, 6);
+}
+
+TEST(NextFrame, UpdateEqualsANewAccelBitForBit) { expect_updates_equal_new_accels(SIZE_MAX); }
+
+TEST(AccelTest, MeshesApartHaveTheSameHits) {
+  expect_updates_equal_new_accels(1);
+  // A moved instance, and a second one of the same mesh.
+  Random random(9);
+  const Mat4 a = random.placement(1, 0.2f, false), b = random.placement(1, 0.2f, true);
+  Accel apart, plain;
+  apart.keep_apart(2);
+  for (Accel* accel : {&apart, &plain}) {
+    const MeshId balls = accel->add_mesh(ball(8)), triangle = accel->add_mesh(unit_triangle());
+    accel->add_instance(instance_of(balls, a, 1));
+    accel->add_instance(instance_of(triangle, a, 2));
+    accel->commit();
+  }
+  EXPECT_EQ(scan(apart), scan(plain));
+  for (Accel* accel : {&apart, &plain}) {
+    ASSERT_TRUE(accel->set_transform(0, b, inverse_of(b)));
+    accel->set_mask(0, RayMask::All & ~RayMask::Camera);
+    accel->commit();
+  }
+  EXPECT_FALSE(scan(apart).empty());
+  EXPECT_EQ(scan(apart), scan(plain));
+  Hit hit;
+  for (int i = 0; i < 200; ++i) {
+    const Ray ray{random.direction() * 4.0f, 0, random.direction(), 100, RayMask::Camera};
+    EXPECT_EQ(apart.intersect(ray, hit), plain.intersect(ray, hit));
+    EXPECT_EQ(apart.occluded(ray), plain.occluded(ray));
+  }
+  for (Accel* accel : {&apart, &plain}) {
+    accel->add_instance(instance_of(MeshId{0}, a, 3));
+    accel->commit();
+  }
+  EXPECT_EQ(scan(apart), scan(plain));
 }
 
 // Rays that start at a hit, away from a flat surface or outward from a convex one, hit nothing.

@@ -8,7 +8,7 @@
 namespace oriel::interactive {
 
 /// The file of the edits of one scene: one edit per line, replaced as a whole at each change, so
-/// that it is complete whenever the process ends.
+/// that it is complete whenever the process ends; a failure of power may lose the last changes.
 /// Checked: SaveEdits.JournalsReturnWhatWasWritten
 class EditJournal {
  public:

@@ -7,10 +7,13 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <memory>
+#include <stdexcept>
 
 #include "base/parallel.h"
 #include "image/relight.h"
 #include "output/layer_table.h"
+#include "output/output.h"
 
 namespace oriel::interactive {
 namespace {
@@ -49,7 +52,7 @@ void store_color(float* to, const Rgb& c) { to[0] = c.x, to[1] = c.y, to[2] = c.
 
 LayerReader reader_of(const RenderSession& session, const std::string& name) {
   const Film& film = session.film();
-  if (name == kBeautyLayer)
+  if (name == kBeautyLayer || name == kDenoisedLayer)
     return {[&film](int x, int y, float* to) { store_color(to, rgb(film.pixel(x, y).beauty)); }, 3};
   if (name == kShownLayer)
     return {[&film](int x, int y, float* to) {
@@ -76,6 +79,21 @@ LayerReader reader_of(const RenderSession& session, const std::string& name) {
           static_cast<int>(row->channels.size())};
 }
 
+/// Reads a denoised picture, which the reader owns; the noisy one if it cannot be denoised.
+LayerReader denoised_reader(const RenderSession& session) {
+  std::shared_ptr<const Image> clean;
+  try {
+    clean = std::make_shared<const Image>(denoised_beauty(session, Denoiser::Best).color);
+  } catch (const std::runtime_error&) {
+    return reader_of(session, kBeautyLayer);
+  }
+  const Window& w = session.window();
+  return {[clean, w](int x, int y, float* to) {
+            std::copy_n(clean->at(w.x0 + x, clean->height - w.y1 + y), 3, to);
+          },
+          3};
+}
+
 void write_row(const LayerReader& reader, int y, int width, LayerFormat format, std::byte* to) {
   float values[4] = {0, 0, 0, 0};
   for (int x = 0; x < width; ++x) {
@@ -95,7 +113,7 @@ void write_row(const LayerReader& reader, int y, int width, LayerFormat format, 
 }  // namespace
 
 std::vector<std::string> available_layers(const World& world) {
-  std::vector<std::string> names = {kBeautyLayer, kShownLayer};
+  std::vector<std::string> names = {kBeautyLayer, kShownLayer, kDenoisedLayer};
   for (const LayerSpec& row : layer_table())
     if (is_displayable(row)) names.push_back(row.name);
   for (std::string& name : light_names(world.light_layers)) names.push_back(std::move(name));
@@ -114,11 +132,12 @@ void request_layers(const std::vector<std::string>& names, SessionSettings& sett
 }
 
 std::vector<PictureLayer> copy_layers(const RenderSession& session,
-                                      const std::vector<std::string>& names) {
+                                      const std::vector<std::string>& names, bool denoise) {
   const int width = session.film().width(), height = session.film().height();
   std::vector<PictureLayer> layers;
   for (const std::string& name : names) {
-    const LayerReader reader = reader_of(session, name);
+    const bool cleaned = denoise && name == kDenoisedLayer;
+    const LayerReader reader = cleaned ? denoised_reader(session) : reader_of(session, name);
     PictureLayer layer;
     layer.name = name;
     layer.format = reader.channels == 1 ? LayerFormat::R32F : LayerFormat::Rgb16F;

@@ -43,6 +43,8 @@ struct Picture {
 /// Name of the linear light before lens and output shaders, and of the same after the lens shaders.
 inline constexpr const char* kBeautyLayer = "beauty";
 inline constexpr const char* kShownLayer = "picture";
+/// The beauty without noise, as `oriel render --denoise` makes it.
+inline constexpr const char* kDenoisedLayer = "denoised";
 
 /// Names of the layers that sessions of the world can show. Light layers: those that exist.
 std::vector<std::string> available_layers(const World& world);
@@ -52,9 +54,10 @@ void request_layers(const std::vector<std::string>& names, SessionSettings& sett
 
 /// Copies layers of a film; unknown layers are black.
 ///
+/// Inputs:  denoise: false: the denoised layer is the noisy beauty, which takes no time.
 /// Model:   values are rounded to the nearest half and clamped to its range; NaN is 0.
 /// Checked: StudioSessionTest.PixelsArriveReducedFirstAndAtFullSizeInTheEnd
 std::vector<PictureLayer> copy_layers(const RenderSession& session,
-                                      const std::vector<std::string>& names);
+                                      const std::vector<std::string>& names, bool denoise);
 
 }  // namespace oriel::interactive

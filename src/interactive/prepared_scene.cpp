@@ -9,6 +9,16 @@
 #include "sdk/host.h"
 
 namespace oriel::interactive {
+namespace {
+
+/// Whether rays of both cameras are the same.
+bool same_rays(const Camera& a, const Camera& b) {
+  return a.to_world == b.to_world && a.path == b.path && a.focal == b.focal &&
+         a.aperture == b.aperture && a.aspect == b.aspect && a.offset == b.offset &&
+         a.orthographic == b.orthographic && a.width == b.width && a.height == b.height;
+}
+
+}  // namespace
 
 PreparedScene::PreparedScene(SceneSource source, Diagnostics& diagnostics)
     : source_(std::move(source)), diagnostics_(diagnostics) {}
@@ -30,6 +40,8 @@ void PreparedScene::close_world() {
 bool PreparedScene::read() {
   close_world();
   cache_ = {};
+  constexpr std::size_t kLargeMesh = 1 << 15;  // triangles, which take about 10 ms to build
+  cache_.least_apart = kLargeMesh;
   edited_.reset();
   diagnostics_.forget_after(0);
   scene_ = std::make_unique<scene::Scene>();
@@ -55,6 +67,12 @@ PrepareOptions PreparedScene::prepare_options(const ViewSettings& view, int widt
   return options;
 }
 
+/// Whether shaders that were bound again have grown beyond the limit.
+bool PreparedScene::is_crowded() const {
+  constexpr std::size_t kSpareNodes = 2000;
+  return world_->nodes.size() > 2 * nodes_at_first_ + kSpareNodes;
+}
+
 bool PreparedScene::prepare_all(const ViewSettings& view, int width, int height) {
   ++preparations_;
   close_world();
@@ -66,6 +84,8 @@ bool PreparedScene::prepare_all(const ViewSettings& view, int width, int height)
   PrepareReport report;
   world_ = prepare(*scene_, command(), host_->registry(), options, diagnostics_, report);
   if (!world_) return false;
+  nodes_at_first_ = world_->nodes.size();
+  camera_at_first_ = world_->camera;
   if (source_.indirect) world_->options.indirect = *source_.indirect;
   if (const scene::Camera* camera = find_camera(*scene_, command(), view.camera))
     outputs_ = camera_output_shaders(*camera, *scene_, host_->registry(), *world_, diagnostics_);
@@ -84,17 +104,22 @@ void PreparedScene::apply_look(const ViewSettings& view) {
   world_->camera.path.clear();
 }
 
+bool PreparedScene::place_camera_alone(const ViewSettings& view, int width, int height) {
+  if (!place_camera_again(*scene_, command(), prepare_options(view, width, height), *world_,
+                          diagnostics_))
+    return false;
+  // Openings to the environment are searched from what the scene's camera sees.
+  return world_->environment.empty() || same_rays(world_->camera, camera_at_first_);
+}
+
 bool PreparedScene::update(const EditEffects& effects, const ViewSettings& view, int width,
                            int height) {
   if (!scene_) return false;
   const bool all = !world_ || effects.has(kEffectWorld) ||
                    (effects.has(kEffectMaterials) &&
-                    !bind_materials_again(*scene_, effects.materials, host_->registry(), *world_));
-  const auto camera_alone = [&] {
-    return place_camera_again(*scene_, command(), prepare_options(view, width, height), *world_,
-                              diagnostics_);
-  };
-  if (all || (effects.has(kEffectCamera) && !camera_alone()))
+                    (is_crowded() || !bind_materials_again(*scene_, effects.materials,
+                                                           host_->registry(), *world_)));
+  if (all || (effects.has(kEffectCamera) && !place_camera_alone(view, width, height)))
     if (!prepare_all(view, width, height)) return false;
   apply_look(view);
   return true;

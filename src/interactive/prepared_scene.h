@@ -40,8 +40,10 @@ struct SceneSource {
 /// A scene and its world.
 ///
 /// Model:   update() prepares as little as the effects allow: nothing of the world for the film,
-///          the camera alone, the shaders of materials, else everything but unchanged meshes. The
-///          world is always equal to that of a scene that was read and edited afresh.
+///          the camera alone, the shaders of materials, else everything but unchanged meshes.
+///          Shaders that are bound again are added to the world, which is prepared as a whole
+///          before it has more than twice as many (and kSpareNodes) as at first. The world is
+///          always equal to that of a scene that was read and edited afresh.
 /// Checked: EditTable.* in tests/interactive
 class PreparedScene {
  public:
@@ -80,6 +82,9 @@ class PreparedScene {
  private:
   PrepareOptions prepare_options(const ViewSettings& view, int width, int height) const;
   bool prepare_all(const ViewSettings& view, int width, int height);
+  bool is_crowded() const;
+  /// Places the scene's camera again. False: more depends on its change.
+  bool place_camera_alone(const ViewSettings& view, int width, int height);
   void apply_look(const ViewSettings& view);
   void close_world();
 
@@ -92,6 +97,8 @@ class PreparedScene {
   std::unique_ptr<World> world_;
   std::size_t reading_diagnostics_ = 0;  ///< number of messages of the reader
   std::size_t preparations_ = 0;
+  std::size_t nodes_at_first_ = 0;  ///< bound shaders after the last preparation of everything
+  Camera camera_at_first_;          ///< the scene's camera then
   NodeList outputs_;
   UnitLuminance unit_;
 };

@@ -10,6 +10,10 @@
 namespace oriel::interactive {
 namespace {
 
+/// A reduced picture after a change should take at most this time: with the preparation it then
+/// follows the pointer.
+constexpr double kFirstPictureSeconds = 0.09;
+constexpr int kLargestDivider = 32;
 constexpr int kDragDivider = 4;  ///< of the finest picture while a pointer drags
 
 /// Seconds between copies of the film, by seconds since the change: more often costs time without
@@ -28,11 +32,19 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// The denoised layer is made from the others when the film is copied.
+std::vector<std::string> stored_layers(const ViewSettings& view) {
+  std::vector<std::string> layers = view.layers;
+  std::erase(layers, kDenoisedLayer);
+  return layers;
+}
+
 /// Effects of a change of the view.
 EditEffects effects_between(const ViewSettings& a, const ViewSettings& b) {
   EditEffects effects;
-  if (a.region != b.region || a.layers != b.layers || a.budget.samples != b.budget.samples ||
-      a.budget.noise != b.budget.noise || a.budget.seconds != b.budget.seconds)
+  if (a.region != b.region || stored_layers(a) != stored_layers(b) ||
+      a.budget.samples != b.budget.samples || a.budget.noise != b.budget.noise ||
+      a.budget.seconds != b.budget.seconds)
     effects.bits |= kEffectFilm;
   if (a.look != b.look || a.size != b.size || a.scale != b.scale) effects.bits |= kEffectCamera;
   if (a.camera != b.camera || a.light_groups != b.light_groups || a.group_lights != b.group_lights)
@@ -78,7 +90,8 @@ void RenderLoop::set_edits(const std::vector<std::string>& edits) {
 
 void RenderLoop::set_view(const ViewSettings& view) {
   const EditEffects effects = effects_between(view_, view);
-  if (view_.dragging && !view.dragging) finished_ = false;
+  // A finished picture is copied again.
+  if ((view_.dragging && !view.dragging) || view_.layers != view.layers) finished_ = false;
   view_ = view;
   view_.scale = std::clamp(view_.scale, 1, 8);
   change(effects);
@@ -133,10 +146,21 @@ void RenderLoop::set_progress(const Progress& progress, int divider) {
   if (changed_) changed_();
 }
 
+void RenderLoop::count_messages() {
+  const std::scoped_lock lock(mutex_);
+  status_.messages = diagnostics_.all().size();
+}
+
 int RenderLoop::start_divider() const {
   const auto [width, height] = scaled_size();
   int divider = settings_.first_divider;
-  while (divider > 1 && std::max(width, height) / divider < settings_.least_long_side) divider /= 2;
+  const int side = std::max(width, height);
+  while (divider > 1 && side / divider < settings_.least_long_side) divider /= 2;
+  const double all_seconds = reduced_pixel_seconds_ * static_cast<double>(width) * height;
+  while (divider > 1 && divider < kLargestDivider &&
+         all_seconds > kFirstPictureSeconds * divider * divider &&
+         2 * side / (2 * divider) >= settings_.least_long_side)
+    divider *= 2;
   return divider;
 }
 
@@ -152,6 +176,7 @@ bool RenderLoop::prepare() {
   set_state(LoopState::Preparing);
   const auto [width, height] = requested_size();
   prepared_ = scene_.update(pending_, view_, width, height);
+  count_messages();
   pending_ = {};
   first_picture_ = true;
   last_copy_ = 0;
@@ -197,20 +222,26 @@ bool RenderLoop::run(const std::atomic<bool>& cancel) {
 }
 
 bool RenderLoop::run_preview(const std::atomic<bool>& cancel) {
-  World& world = *scene_.world();
   const auto [width, height] = scaled_size();
   const auto [w, h] = reduced_size(width, height, next_divider_);
   scene_.resize_camera(view_, w, h);
-  // Caches of indirect light take longer than such a picture.
+  // Photons of caustics take longer than such a picture.
+  World& world = *scene_.world();
   const auto chosen = world.options.choose_paths_alone();
   SessionSettings settings = session_settings(next_divider_);
   settings.budget = {.samples = 1};
+  settings.draft = true;
   bool done = false;
   {
     RenderSession session(world, settings);
     set_progress({}, next_divider_);
+    const Clock::time_point start = Clock::now();
     done = session.run({}, &cancel) != StopReason::Cancelled;
-    if (done) copy_picture(session, next_divider_, true);
+    if (done) {
+      reduced_pixel_seconds_ =
+          seconds_since(start) / static_cast<double>(session.film().pixel_count());
+      copy_picture(session, next_divider_, true);
+    }
   }
   world.options.choose(chosen);
   const auto full = requested_size();
@@ -223,24 +254,27 @@ bool RenderLoop::run_final(const std::atomic<bool>& cancel) {
     SessionSettings settings = session_settings(1);
     settings.map_files = allowed_map_files(*scene_.world(), scene_.source().path, diagnostics_);
     settings.diagnostics = &diagnostics_;
+    settings.picture_if_cancelled = false;
     session_.emplace(*scene_.world(), settings);
   }
   Progressive::Callbacks callbacks;
   callbacks.progress = [this](const Progress& p) { set_progress(p, 1); };
   callbacks.pass = [this](const Progress& p) {
+    count_messages();
     set_progress(p, 1);
     if (first_picture_ || p.pass <= 1 || is_copy_due()) copy_picture(*session_, 1, false);
   };
   callbacks.wants_pause = [this] { return session_->progress().pass > 0 && is_copy_due(); };
   callbacks.paused = [this] { copy_picture(*session_, 1, false); };
   const StopReason reason = session_->run(callbacks, &cancel);
+  count_messages();
   set_progress(session_->progress(), 1);
   if (reason == StopReason::Cancelled) {
     // Incomplete caches would stay.
     if (!session_->can_save()) session_.reset();
     return false;
   }
-  if (reason != StopReason::MapsOnly) copy_picture(*session_, 1, false);
+  if (reason != StopReason::MapsOnly) copy_picture(*session_, 1, false, true);
   return true;
 }
 
@@ -249,7 +283,16 @@ bool RenderLoop::is_copy_due() const {
   return since - last_copy_ >= std::max(copy_interval(since), copy_seconds_ / kCopyShare);
 }
 
-void RenderLoop::copy_picture(const RenderSession& session, int divider, bool preview) {
+bool RenderLoop::denoises(const RenderSession& session, bool preview, bool final) const {
+  // Edits wait for the denoiser, so running pictures are denoised only if that is quick.
+  constexpr double kQuick = 0.3;
+  constexpr double kLeastSamples = 4;
+  const auto& names = view_.layers;
+  return std::find(names.begin(), names.end(), kDenoisedLayer) != names.end() && !preview &&
+         session.film().mean_samples() >= kLeastSamples && (final || denoise_seconds_ < kQuick);
+}
+
+void RenderLoop::copy_picture(const RenderSession& session, int divider, bool preview, bool final) {
   const Clock::time_point start = Clock::now();
   auto picture = std::make_shared<Picture>();
   const Camera& camera = session.world().camera;
@@ -262,7 +305,8 @@ void RenderLoop::copy_picture(const RenderSession& session, int divider, bool pr
   picture->w = window.width(), picture->h = window.height();
   picture->samples = static_cast<std::uint32_t>(session.film().mean_samples());
   picture->number = ++pictures_;
-  picture->layers = copy_layers(session, view_.layers);
+  const bool denoise = denoises(session, preview, final);
+  picture->layers = copy_layers(session, view_.layers, denoise);
   {
     const std::scoped_lock lock(mutex_);
     picture->epoch = status_.epoch;
@@ -271,6 +315,7 @@ void RenderLoop::copy_picture(const RenderSession& session, int divider, bool pr
   first_picture_ = false;
   last_copy_ = seconds_since(changed_at_);
   copy_seconds_ = seconds_since(start);
+  if (denoise) denoise_seconds_ = copy_seconds_;
   if (show_) show_(std::move(picture));
 }
 

@@ -26,6 +26,7 @@ struct LoopStatus {
   std::uint32_t epoch = 0;
   int divider = 1;  ///< of the running picture
   Progress progress;
+  std::size_t messages = 0;       ///< of the scene, also those of shaders while they render
   std::optional<double> latency;  ///< seconds from the last change to its first picture
 };
 
@@ -33,14 +34,17 @@ struct LoopStatus {
 struct LoopSettings {
   std::uint32_t seed = 0;
   float clamp = 0;
-  int first_divider = 8;      ///< of the first picture after a change; a power of two
-  int least_long_side = 128;  ///< pixels of that picture
+  int first_divider =
+      8;  ///< of the first picture after a change, unless it is slow; a power of two
+  int least_long_side = 128;  ///< pixels of that picture; half of it if it is slow
 };
 
 /// Renders a scene on the calling thread.
 ///
 /// Model:   each change starts an epoch. Its pictures are of 1/8, 1/4 and 1/2 of the size with one
-///          sample, path traced, then of full size. The full-size session is that of `oriel render`
+///          sample, path traced, then of full size; where the last of these pictures show that the
+///          first would take longer than kFirstPictureSeconds, it is reduced further. The full-size
+///          session is that of `oriel render`
 ///          with the same seed and budget, so its result has the same bytes; it is continued after
 ///          interruptions without a change.
 /// Checked: EditTable.*, RenderLoopTest.* in tests/interactive
@@ -88,10 +92,14 @@ class RenderLoop {
   void change(const EditEffects& effects);
   void set_state(LoopState state);
   void set_progress(const Progress& progress, int divider);
+  /// While no shader runs.
+  void count_messages();
   int start_divider() const;
   bool run_preview(const std::atomic<bool>& cancel);
   bool run_final(const std::atomic<bool>& cancel);
-  void copy_picture(const RenderSession& session, int divider, bool preview);
+  void copy_picture(const RenderSession& session, int divider, bool preview, bool final = false);
+  /// Whether a copy has its denoised layer denoised.
+  bool denoises(const RenderSession& session, bool preview, bool final) const;
   bool is_copy_due() const;
 
   Diagnostics diagnostics_;
@@ -110,6 +118,8 @@ class RenderLoop {
   Clock::time_point changed_at_ = Clock::now();
   std::atomic<double> last_copy_ = 0;  ///< seconds after changed_at_
   double copy_seconds_ = 0;
+  double denoise_seconds_ = 0;        ///< of the last copy that was denoised
+  double reduced_pixel_seconds_ = 0;  ///< time for a pixel of a reduced picture; 0 = unknown
   mutable std::mutex mutex_;
   LoopStatus status_;
 };

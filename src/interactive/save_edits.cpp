@@ -53,6 +53,9 @@ std::string written_value(const SceneEdit& edit, bool bare_words) {
       std::replace(text.begin(), text.end(), ',', ' ');
       return text;
     }
+    case Value::Kind::Array:
+    case Value::Kind::Struct:
+      return edit.value;
     default:
       if (edit.value.find('\n') != std::string::npos)
         throw SaveError(edit.target() + ": a text with line breaks cannot be written");

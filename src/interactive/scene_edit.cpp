@@ -7,9 +7,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
+#include <utility>
 
 #include "base/diagnostic.h"
 #include "interactive/element_statements.h"
+#include "interactive/structured_value.h"
 
 namespace oriel::interactive {
 namespace {
@@ -112,6 +115,8 @@ Value parse_edit_value(const std::string& text) {
     value.text = text.substr(1);
     return value;
   }
+  if (is_structured(text))
+    if (std::optional<Value> structured = parse_structured(text)) return *std::move(structured);
   const char* at = text.c_str();
   value.integral = true;
   while (*at) {

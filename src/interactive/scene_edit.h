@@ -33,7 +33,8 @@ struct SceneEdit {
 /// Errors:  EditError, EditFormError.
 SceneEdit parse_edit(const scene::Scene& scene, const std::string& text);
 
-/// The value of an edit: on, off, numbers, `=shader`, otherwise a string.
+/// The value of an edit: on, off, numbers, `=shader`, an array `[...]` or structure `{...}` in the
+/// form of the scene language, otherwise a string.
 scene::Value parse_edit_value(const std::string& text);
 
 /// A shader call that has a parameter.

@@ -2,6 +2,7 @@
 // Geometry of the previous frame, reused by the next one where it is unchanged.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -32,6 +33,8 @@ struct GeometryCache {
   std::map<std::string, std::vector<Form>, std::less<>> forms;  ///< by object name
   /// of the motion keys of the meshes
   scene::Shutter shutter;
+  /// See geom::Accel::keep_apart(); SIZE_MAX = never.
+  std::size_t least_apart = SIZE_MAX;
   bool hair = true;  ///< whether meshes contain their curves
   std::unique_ptr<geom::Accel> accel;
   std::size_t reused = 0;  ///< number of objects reused from the previous frame

@@ -108,6 +108,7 @@ MeshTable::MeshTable(const scene::Scene& scene, TessellationPlan plan, World& wo
   world.accel = std::move(cache.accel);
   if (!world.accel || !cache.shutter.same_span(world.shutter) || cache.hair != world.options.hair) {
     world.accel = std::make_unique<geom::Accel>();
+    world.accel->keep_apart(cache.least_apart);
     cache.forms.clear();
   }
   world.accel->begin_again();

@@ -63,14 +63,14 @@ bool is_used_elsewhere(const scene::Scene& scene, const std::set<std::string>& n
   return refers_to(references, names);
 }
 
-/// Whether the rest of a world is the same with either material: opaque surfaces without emission,
-/// displacement and volumes.
+/// Whether the rest of a world is the same with either material: surfaces without emission,
+/// displacement and volumes, which both let light through or both do not.
 bool can_replace(const Material& a, const Material& b) {
   const auto is_plain = [](const Material& m) {
-    return !m.may_transmit && !m.may_have_holes && m.displace.empty() && m.volume.empty() &&
-           !may_emit(m);
+    return m.displace.empty() && m.volume.empty() && !may_emit(m);
   };
-  return is_plain(a) && is_plain(b) && a.opaque == b.opaque && a.outputs == b.outputs &&
+  return is_plain(a) && is_plain(b) && a.may_transmit == b.may_transmit &&
+         a.may_have_holes == b.may_have_holes && a.opaque == b.opaque && a.outputs == b.outputs &&
          a.has_shadow_shader == b.has_shadow_shader;
 }
 

@@ -162,14 +162,16 @@ void CachedIntegrator::prepare(const IntegratorPreparation& p) {
   if (plan_.bounces) cache_bounces(gather_passes(p.seed), p);
   find_lit_surfaces(p);
   learn(p);
-  if (!caches_only()) grid_.emplace(world_, path_settings(), p.seed, p.counts);
+  if (!caches_only() && !p.monitor.cancelled())
+    grid_.emplace(world_, path_settings(), p.seed, p.counts);
+  prepared_ = !p.monitor.cancelled();
 }
 
 /// Caches hold the light of lit surfaces already.
 void CachedIntegrator::find_lit_surfaces(const IntegratorPreparation& p) {
-  if (!plan_.indirect || plan_.maps() || caches_only()) return;
+  if (!plan_.indirect || plan_.maps() || caches_only() || p.monitor.cancelled()) return;
   lit_ = LitSurfaces(world_, p.picture, p.seed, p.counts);
-  if (lit_.empty()) return;
+  if (lit_.empty() || p.monitor.cancelled()) return;
   PathSettings sampled = path_settings();
   sampled.lit = &lit_;
   if (efficiency_ratio(world_, p.picture, sampled, path_settings(), p.seed, p.counts) < kWorthwhile)

@@ -42,6 +42,7 @@ class CachedIntegrator final : public Integrator {
   void trace(const Camera::Ray& eye, Vec2 raster, float paths_of_pixel, PathRecord& record,
              sampling::Sampler& sampler, RayCounts& counts) const override;
   bool has_caches() const override { return plan_.maps() || plan_.sharp_caustics; }
+  bool is_prepared() const override { return prepared_; }
   bool caches_only() const override;
   std::size_t gather_points() const override { return cache_.records().size(); }
   bool has_unknown_light() const override { return read_files_ || reads_grid(); }
@@ -73,6 +74,7 @@ class CachedIntegrator final : public Integrator {
   LitSurfaces lit_;
   LearnedLight learned_;
   bool read_files_ = false;
+  bool prepared_ = true;
 };
 
 }  // namespace oriel

@@ -69,6 +69,8 @@ class Integrator {
   /// Errors:  CheckpointError.
   virtual void restore(CheckpointReader&, const IntegratorPreparation&) {}
 
+  /// False if prepare() was cancelled.
+  virtual bool is_prepared() const { return true; }
   /// Whether prepare() has work.
   virtual bool has_caches() const { return false; }
   /// Whether the options ask for the caches only, without a picture.

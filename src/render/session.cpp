@@ -11,6 +11,8 @@
 #include "base/byte_stream.h"
 #include "color/luminance.h"
 #include "render/eye_rays.h"
+#include "render/indirect_plan.h"
+#include "render/path_integrator.h"
 #include "render/pixel_state.h"
 #include "render/state_shaders.h"
 #include "runtime/color_mapping.h"
@@ -52,6 +54,12 @@ void visit_counts(Checkpoint& checkpoint, RayCounts& counts) {
     checkpoint.value(*count);
 }
 
+std::unique_ptr<Integrator> integrator_of(const World& world, const SessionSettings& settings) {
+  if (!settings.draft) return make_integrator(world);
+  return std::make_unique<PathIntegrator>(
+      world, PathSettings{.indirect = plan_indirect(world.options).indirect});
+}
+
 FilmRequest film_request(const World& world, const SessionSettings& settings) {
   FilmRequest request{.aovs = settings.outputs, .surface_values = settings.surface_values};
   if (settings.lights && world.light_layers.asked())
@@ -75,6 +83,7 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
     : world_(world),
       seed_(settings.seed),
       irradiance_(settings.irradiance),
+      picture_if_cancelled_(settings.picture_if_cancelled),
       unit_luminance_(settings.unit_luminance),
       clamp_(settings.clamp),
       window_(window_of(world, settings.crop)),
@@ -82,12 +91,14 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       observer_(settings.observer),
       filter_(world.options.filter),
       budget_(render_budget(world.options, settings.budget)),
+      paths_of_pixel_(settings.draft ? PathSettings{}.paths_of_pixel
+                                     : static_cast<float>(budget_.max_samples)),
       film_(window_.width(), window_.height(), filter_, display_map(world, window_),
             film_request(world, settings)),
       progressive_(film_, budget_, settings.part),
       map_files_(settings.map_files),
       diagnostics_(settings.diagnostics ? *settings.diagnostics : unheard_),
-      integrator_(make_integrator(world)),
+      integrator_(integrator_of(world, settings)),
       saves_caches_(!settings.save_without_caches),
       started_(settings.started) {
   if (settings.mattes) mattes_.emplace(film_.width(), film_.height(), filter_, *settings.mattes);
@@ -114,8 +125,7 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, PathRecord& 
   call(Moment::StateInit, before);
   call(Moment::SampleInit, before);
   if (observer_) observer_->begin_sample(offset.negative);
-  trace_eye_rays(world_, *integrator_, raster, static_cast<float>(budget_.max_samples), record,
-                 sampler, counts);
+  trace_eye_rays(world_, *integrator_, raster, paths_of_pixel_, record, sampler, counts);
   const float brightest = max_component(record.radiance);
   if (clamp_ > 0 && brightest > clamp_) record.scale(clamp_ / brightest);
   if (observer_) observer_->end_sample(record.radiance);
@@ -238,7 +248,10 @@ StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
     // A part has no picture to show, and its pixels can be saved without caches.
     if (!saves_caches_ && cancel && *cancel) return StopReason::Cancelled;
     prepared_ = true;
-    state_is_whole_ = !(cancel && *cancel && integrator_->has_caches());
+    const bool is_partial =
+        integrator_->has_caches() || (!picture_if_cancelled_ && !integrator_->is_prepared());
+    state_is_whole_ = !(cancel && *cancel && is_partial);
+    if (!state_is_whole_ && !picture_if_cancelled_) return StopReason::Cancelled;
     if (!state_is_whole_) {
       Progressive once(film_, {.max_samples = 1});
       draw(once, {}, nullptr);

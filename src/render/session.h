@@ -30,8 +30,14 @@ struct SessionSettings {
       false;  ///< store the irradiance of first surfaces; costs a second path per sample
   SurfaceValues surface_values = {};  ///< stored values of first surfaces
   bool lights = true;                 ///< store the light layers of the world
-  float clamp = 0;                    ///< maximum of a sample's channels, pixel units; 0 = none
-  float unit_luminance = 1;           ///< cd/m2 of one unit of a pixel, see unit_luminance.h
+  /// A quick picture: paths without caches and without what is learned before the picture, one ray
+  /// for each lobe whatever the sample counts of materials.
+  bool draft = false;
+  /// Whether run() draws a picture if it is cancelled while the integrator is prepared. False: the
+  /// session can then not be continued, see can_save().
+  bool picture_if_cancelled = true;
+  float clamp = 0;                  ///< maximum of a sample's channels, pixel units; 0 = none
+  float unit_luminance = 1;         ///< cd/m2 of one unit of a pixel, see unit_luminance.h
   std::optional<Window> crop = {};  ///< window, clipped to the picture; default: that of the camera
   std::optional<Window> maps_for = {};  ///< window for gather points; default: the window
   /// Optional observer of paths; may be null. Called from any thread, so the window should be one
@@ -155,12 +161,14 @@ class RenderSession {
   const World& world_;
   std::uint32_t seed_;
   bool irradiance_;
+  bool picture_if_cancelled_;
   float unit_luminance_;
   float clamp_;
   Window window_, maps_window_;
   PathObserver* observer_;
   FilterSampler filter_;
   RenderBudget budget_;
+  float paths_of_pixel_;  ///< see PathSettings
   Film film_;
   std::optional<Mattes> mattes_;
   Progressive progressive_;

@@ -27,7 +27,7 @@ const std::map<std::string, Controller::Handler>& Controller::handlers() {
       {"restart", &C::restart},   {"outline", &C::outline},   {"element", &C::element},
       {"shader", &C::shader},     {"pick", &C::pick},         {"probe", &C::probe},
       {"lux_grid", &C::lux_grid}, {"explain", &C::explain},   {"command", &C::command},
-      {"deliver", &C::deliver},   {"job", &C::job},
+      {"deliver", &C::deliver},   {"job", &C::job},           {"thumbnail", &C::thumbnail},
   };
   return table;
 }
@@ -40,7 +40,10 @@ Controller::Controller(StudioSettings settings, StudioServices services)
     const std::scoped_lock lock(send_mutex_);
     if (picture_changed_) picture_changed_();
   };
-  callbacks.status = [this] { send_progress(); };
+  callbacks.status = [this] {
+    send_progress();
+    announce_messages();
+  };
   crashed_ = settings_.after_crash;
   session_ = std::make_unique<interactive::InteractiveSession>(settings_.source, settings_.loop,
                                                                callbacks);
@@ -96,6 +99,14 @@ void Controller::send_error(const json& id, const std::string& code, const std::
   send({{"type", "error"}, {"id", id}, {"code", code}, {"message", message}});
 }
 
+/// Pauses for the user, and while the page is hidden or closed.
+void Controller::update_pause() {
+  if (!session_) return;
+  session_->set_paused(paused_ || hidden_ || left_);
+  last_state_ = -1;  // is sent although the state of the loop is the same
+  send_progress();
+}
+
 void Controller::client_connected() {
   namespace fs = std::filesystem;
   send({{"type", "welcome"},
@@ -111,11 +122,16 @@ void Controller::client_connected() {
             {"message", "the renderer ended unexpectedly; the edits were kept"},
             {"edits", history_.now().size()}});
     });
+  hidden_ = left_ = false;
+  update_pause();
   announce_state();
   send_progress();
 }
 
-void Controller::client_left() {}
+void Controller::client_left() {
+  left_ = true;
+  update_pause();
+}
 
 void Controller::text(const std::string& message) {
   const json request = json::parse(message, nullptr, false);
@@ -187,6 +203,14 @@ void Controller::send_progress() {
   if (session_ && session_->paused()) message["status"] = "paused";
   if (crashed_) message["status"] = "crashed";
   send(message);
+}
+
+/// Messages that shaders report while they render.
+void Controller::announce_messages() {
+  const std::size_t count = session_ ? session_->status().messages : 0;
+  if (count <= announced_messages_) return;
+  announced_messages_ = count;
+  session_->post([this](Loop& loop) { send_messages(loop); });
 }
 
 void Controller::announce_state() {

@@ -82,14 +82,18 @@ class Controller final : public ServerHandler {
   void run_request(Loop& loop, Handler handler, const json& request);
   void send_progress();
   void announce_state();
+  void announce_messages();
   void send_state(Loop& loop);
   void send_messages(Loop& loop);
   void start(Loop& loop);
+  void update_pause();
+  /// The last request `daylight`, if its edits are still in the list; else null.
+  json present_daylight() const;
   json edited(Loop& loop);
   json try_edits(Loop& loop, std::vector<std::string> edits, const std::string& gesture);
 
   // controller_view.cpp, controller_edit.cpp, controller_scene.cpp, controller_measure.cpp,
-  // controller_deliver.cpp
+  // controller_deliver.cpp, controller_thumbnail.cpp
   json view(Loop& loop, const json& request);
   json edit(Loop& loop, const json& request);
   json set_edits(Loop& loop, const json& request);
@@ -110,6 +114,7 @@ class Controller final : public ServerHandler {
   json probe(Loop& loop, const json& request);
   json lux_grid(Loop& loop, const json& request);
   json explain(Loop& loop, const json& request);
+  json thumbnail(Loop& loop, const json& request);
   json command(Loop& loop, const json& request);
   json deliver(Loop& loop, const json& request);
   json job(Loop& loop, const json& request);
@@ -127,10 +132,16 @@ class Controller final : public ServerHandler {
   interactive::EditHistory history_;                 // of the session's thread
   std::optional<interactive::EditJournal> journal_;  // likewise
   std::vector<std::string> saved_;                   // edits of the last save, likewise
+  /// Fields of the last request `daylight` and its edits, likewise.
+  std::string daylight_;
+  std::vector<std::string> daylight_edits_;
   std::atomic<bool> state_announced_ = false;
+  std::atomic<std::size_t> announced_messages_ = 0;
   std::atomic<std::int64_t> last_progress_ = 0;
   std::atomic<int> last_state_ = -1;
   std::atomic<bool> crashed_ = false;
+  // What stops the renderer: the user, a hidden page, a page that was closed.
+  std::atomic<bool> paused_ = false, hidden_ = false, left_ = false;
   std::mutex results_mutex_;
   struct Result {
     std::uint64_t number;
@@ -139,6 +150,8 @@ class Controller final : public ServerHandler {
   };
   std::vector<Result> results_;
   std::uint64_t next_result_ = 1;
+  std::vector<Result> thumbnails_;  // guarded by results_mutex_
+  std::uint64_t next_thumbnail_ = 1;
   std::unique_ptr<RenderJob> job_;
   std::unique_ptr<interactive::InteractiveSession> session_;  // last: its thread uses the others
 };

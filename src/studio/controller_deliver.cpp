@@ -224,13 +224,17 @@ std::size_t Controller::max_body(const std::string& path) const {
 
 ApiAnswer Controller::api(ApiRequest request) {
   if (request.path == "/upload" && request.post) return upload(request);
-  constexpr std::string_view kResult = "/result/";
-  if (!request.post && request.path.starts_with(kResult)) {
-    const std::string number = request.path.substr(kResult.size());
-    const std::scoped_lock lock(results_mutex_);
-    for (const Result& result : results_)
+  const auto found = [&](std::string_view folder, const std::vector<Result>& files) -> ApiAnswer {
+    if (request.post || !request.path.starts_with(folder)) return {404, {}, nullptr};
+    const std::string number = request.path.substr(folder.size());
+    for (const Result& result : files)
       if (std::to_string(result.number) == number) return {200, result.type, result.bytes};
-  }
+    return {404, {}, nullptr};
+  };
+  const std::scoped_lock lock(results_mutex_);
+  for (ApiAnswer& answer :
+       std::array{found("/result/", results_), found("/thumbnail/", thumbnails_)})
+    if (answer.body) return std::move(answer);
   return api_error(404, "not-found", "there is nothing of that name");
 }
 

@@ -2,9 +2,11 @@
 // Edits: changes, undo, daylight, camera, saving.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "interactive/inverse_edits.h"
 #include "interactive/save_edits.h"
 #include "interactive/sun_edits.h"
 #include "output/camera_output.h"
@@ -119,9 +121,24 @@ json Controller::daylight(Loop& loop, const json& request) {
   for (const std::string& edit : sun_edits)
     edits = interactive::with_edit(loop.scene().scene(), std::move(edits), edit);
   json reply = try_edits(loop, std::move(edits), optional_text(request, "gesture"));
+  json fields;
+  for (const char* name : {"latitude", "longitude", "time", "north", "haze"})
+    if (request.contains(name)) fields[name] = request[name];
+  daylight_ = fields.dump();
+  daylight_edits_ = sun_edits;
   reply["azimuth"] = sun.azimuth;
   reply["elevation"] = sun.elevation;
   return reply;
+}
+
+json Controller::present_daylight() const {
+  const std::vector<std::string>& now = history_.now();
+  const auto is_present = [&](const std::string& edit) {
+    return std::find(now.begin(), now.end(), edit) != now.end();
+  };
+  if (daylight_.empty() || !std::all_of(daylight_edits_.begin(), daylight_edits_.end(), is_present))
+    return nullptr;
+  return json::parse(daylight_);
 }
 
 json Controller::sun_path(Loop&, const json& request) {
@@ -186,8 +203,16 @@ json Controller::save(Loop& loop, const json& request) {
   } else if (mode == "mi") {
     files = interactive::save_into_files(loop.scene(), scene_folder());
     // The files contain the edits now; the scene is read again, so that places are right.
+    const std::vector<std::string> written = history_.now();
+    loop.set_edits({});
+    const auto before =
+        interactive::inverse_edits(loop.scene().scene(), written, loop.scene().registry());
     if (!loop.read()) throw RequestError("failed", "the saved scene could not be read");
     history_ = {};
+    if (before && !before->empty()) {
+      history_.replace(*before);
+      history_.push({});
+    }
     saved_.clear();
     if (journal_) journal_->write({});
     announce_state();

@@ -21,6 +21,7 @@ using interactive::Look;
 using interactive::ViewSettings;
 
 constexpr int kMaxSide = 16384;
+constexpr long kMaxPixels = 1L << 26;  // about 6 GB of film
 
 template <std::size_t N>
 std::optional<std::array<int, N>> numbers_or_null(const json& value, const char* name) {
@@ -84,6 +85,8 @@ void read_view_fields(const json& request, ViewSettings& view) {
     view.size = numbers_or_null<2>(v, "size");
     if (view.size)
       for (int& side : *view.size) side = std::clamp(side, 1, kMaxSide);
+    if (view.size && long{(*view.size)[0]} * (*view.size)[1] > kMaxPixels)
+      throw RequestError("too-large", "the picture has too many pixels");
   });
   with("scale", [&](const json&) { view.scale = std::clamp(int_field(request, "scale"), 1, 8); });
   with("region", [&](const json& v) { view.region = numbers_or_null<4>(v, "region"); });
@@ -125,8 +128,13 @@ json exposure_of(const World& world) {
 }  // namespace
 
 json Controller::view(Loop& loop, const json& request) {
-  if (const auto paused = request.find("paused"); paused != request.end())
-    session_->set_paused(paused->is_boolean() && paused->get<bool>());
+  const auto set_flag = [&](const char* name, std::atomic<bool>& flag) {
+    if (const auto found = request.find(name); found != request.end())
+      flag = found->is_boolean() && found->get<bool>();
+  };
+  set_flag("paused", paused_);
+  set_flag("hidden", hidden_);
+  update_pause();
   ViewSettings view = loop.view();
   read_view_fields(request, view);
   if (view.look && !interactive::camera_matrix(*view.look))
@@ -147,9 +155,10 @@ void Controller::send_state(Loop& loop) {
                 {"scale", view.scale},
                 {"region", nullptr},
                 {"layers", view.layers},
-                {"paused", session_->paused()},
+                {"paused", paused_.load()},
                 {"budget", json_of_budget(view.budget)},
                 {"look_stored", !view.look}};
+  if (const json daylight = present_daylight(); !daylight.is_null()) state["daylight"] = daylight;
   if (view.region) state["region"] = *view.region;
   if (loop.scene().is_read() && loop.prepare()) {
     const World& world = *loop.scene().world();
@@ -207,6 +216,7 @@ void Controller::send_messages(Loop& loop) {
            {"where", all.file(texture->where.file) + ":" + std::to_string(texture->where.line)}});
     }
   }
+  announced_messages_ = all.all().size();
   send({{"type", "messages"}, {"list", list}, {"missing", missing}});
 }
 

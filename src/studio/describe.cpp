@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "interactive/element_statements.h"
+#include "interactive/structured_value.h"
 #include "scene/asset_path.h"
 #include "studio/json_values.h"
 
@@ -144,6 +145,8 @@ class ElementReport {
       const bool by_name =
           value.kind == scene::Value::Kind::Connection || value.kind == scene::Value::Kind::Text;
       if (const json v = json_of(value); !v.is_null()) p["value"] = v;
+      if (value.kind == scene::Value::Kind::Array || value.kind == scene::Value::Kind::Struct)
+        p["text"] = interactive::structured_text(value);
       if (by_name && depth < kMaxConnections) connect(p, value.text, depth);
     }
     return p;

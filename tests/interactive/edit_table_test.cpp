@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // After each kind of edit, undo and redo the picture is that of a scene that was read afresh.
 #include "interactive/edit_effects.h"
+
+#include <chrono>
+#include <thread>
+
 #include "interactive/loop_support.h"
 #include "mi/reader.h"
 #include "prepare/prepare.h"
@@ -129,6 +133,110 @@ TEST_F(EditCosts, ColoursOfOpaqueMaterialsPrepareNothingElse) {
   EXPECT_EQ(preparations_of("paint.transparency=.7"), 1u) << "shadows pass it";
 }
 
+TEST_F(EditCosts, ColoursOfGlassPrepareNothingElse) {
+  const vector<std::string> glass = {"paint.transparency=.7"};
+  const vector<std::string> tinted = {"paint.transparency=.7", "paint.refr_color=.2 .9 .3"};
+  RenderLoop live(source(), {}, {});
+  live.set_view(small_view());
+  ASSERT_TRUE(live.read());
+  live.set_edits(glass);
+  finish(live);
+  const vector<float> clear = beauty(live);
+  const std::size_t before = live.scene().preparations();
+  live.set_edits(tinted);
+  finish(live);
+  EXPECT_EQ(live.scene().preparations(), before);
+  RenderLoop fresh(source(), {}, {});
+  fresh.set_view(small_view());
+  ASSERT_TRUE(fresh.read());
+  fresh.set_edits(tinted);
+  finish(fresh);
+  EXPECT_EQ(beauty(live), beauty(fresh));
+  EXPECT_NE(beauty(live), clear);
+}
+
+TEST_F(EditCosts, ShadersThatAreBoundAgainDoNotPileUp) {
+  RenderLoop loop(source(), {}, {});
+  loop.set_view(small_view());
+  ASSERT_TRUE(loop.read());
+  ASSERT_TRUE(loop.prepare());
+  const std::size_t first = loop.scene().world()->nodes.size();
+  std::size_t most = 0;
+  for (int i = 0; i < 3000; ++i) {
+    loop.set_edits({"floor_mtl.diffuse=.1 .6 " + std::to_string(i % 100 / 100.0)});
+    ASSERT_TRUE(loop.prepare());
+    most = std::max(most, loop.scene().world()->nodes.size());
+  }
+  EXPECT_GT(most, 2 * first) << "nothing was bound again, so the test shows nothing";
+  EXPECT_LE(most, 2 * first + 2010);
+  EXPECT_LE(loop.scene().preparations(), 10u);
+}
+
+/// A room that the sky lights through a window, so that what the camera sees decides on openings.
+std::string sky_scene() {
+  return R"(options "opt" samples 0 1 trace depth 3 3 4 "indirect" "path" end options
+light "sun" "mia_physicalsun" ("samples" 4) direction .3 .8 -.5 end light
+instance "sun_inst" "sun" end instance
+shader "sky" "mia_physicalsky" ("sun" "sun_inst")
+material "wall_mtl" "mia_material_x" ("diffuse" .7 .7 .6, "reflectivity" 0) end material
+material "box_mtl" "mia_material_x" ("diffuse" .2 .3 .7, "reflectivity" .3) end material
+object "room" visible shadow trace tag 1 group
+  -2 -3 0  2 -3 0  2 3 0  -2 3 0  -2 -3 3  2 -3 3  2 3 3  -2 3 3
+  -1 -3 1  1 -3 1  1 -3 2  -1 -3 2
+  v 0 v 1 v 2 v 3 v 4 v 5 v 6 v 7 v 8 v 9 v 10 v 11
+  p "wall_mtl" 0 1 2 3  p 4 7 6 5  p 1 2 6 5  p 0 4 7 3  p 2 3 7 6
+  p 0 1 9 8  p 1 5 10 9  p 5 4 11 10  p 4 0 8 11
+end group end object
+object "box" visible shadow trace tag 2 group
+  -.5 -.5 1  .5 -.5 1  .5 .5 1  -.5 .5 1  v 0 v 1 v 2 v 3  p "box_mtl" 0 1 2 3
+end group end object
+instance "room_inst" "room" end instance
+instance "box_inst" "box" end instance
+camera "cam" output "rgba" "exr" "out.exr" focal 20 aperture 36 aspect 1.5 resolution 48 32
+  environment = "sky" end camera
+instance "cam_inst" "cam"
+  transform 1 0 0 0  0 0 -1 0  0 1 0 0  0 -1.5 -2.5 1
+end instance
+instgroup "root" "sun_inst" "room_inst" "box_inst" "cam_inst" end instgroup
+render "root" "cam_inst" "opt"
+)";
+}
+
+class SkyEditTable : public LoopTest, public ::testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override { write("scene.mi", sky_scene()); }
+};
+
+TEST_P(SkyEditTable, PictureEqualsAFreshScene) {
+  RenderLoop live(source(), {}, {});
+  live.set_view(small_view());
+  ASSERT_TRUE(live.read());
+  finish(live);
+  const vector<float> before = beauty(live);
+  live.set_edits({GetParam()});
+  finish(live);
+  RenderLoop fresh(source(), {}, {});
+  fresh.set_view(small_view());
+  ASSERT_TRUE(fresh.read());
+  fresh.set_edits({GetParam()});
+  finish(fresh);
+  EXPECT_EQ(beauty(live), beauty(fresh));
+  EXPECT_NE(beauty(live), before);
+  live.set_edits({});
+  finish(live);
+  EXPECT_EQ(beauty(live), before) << "undo";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sky, SkyEditTable,
+    ::testing::Values("sun.direction=-.2 .8 -.7", "sun.haze=4", "sky.haze=4", "cam.focal=35",
+                      "cam.aspect=1.2", "cam_inst.transform=1 0 0 0 0 0 -1 0 0 1 0 0 .4 -1.5 -1 1",
+                      "box_inst.transform=1 0 0 0 0 1 0 0 0 0 1 0 .5 0 0 1",
+                      "box_mtl.diffuse=.9 .1 .1", "box_mtl.additional_color=2 3 1",
+                      "box_mtl.transparency=.5", "box_mtl.refl_gloss=.3",
+                      "wall_mtl.diffuse=.3 .7 .3", "box_inst.visible=off",
+                      "opt.trace depth=0 0 0"));
+
 class RenderLoopTest : public LoopTest {};
 
 /// The picture of a session without any of this.
@@ -179,6 +287,31 @@ TEST_F(RenderLoopTest, InterruptionsDoNotChangeThePicture) {
   }
   EXPECT_GT(runs, 0);
   EXPECT_EQ(beauty(loop), plain_picture(source(), small_view().budget));
+}
+
+TEST_F(RenderLoopTest, InterruptedPreparationsDoNotChangeThePicture) {
+  // The sky scene has lit surfaces, which are searched before the picture.
+  write("sky.mi", sky_scene());
+  const vector<float> plain = plain_picture(source("sky.mi"), small_view().budget);
+  LoopSettings settings;
+  settings.first_divider = 1;
+  RenderLoop loop(source("sky.mi"), settings, {});
+  loop.set_view(small_view());
+  ASSERT_TRUE(loop.read());
+  // At different moments of the preparation.
+  for (int milliseconds = 0; milliseconds < 40; milliseconds += 3) {
+    loop.set_edits({});
+    ASSERT_TRUE(loop.prepare());
+    std::atomic<bool> stop = false;
+    std::thread interruption([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+      stop = true;
+    });
+    loop.run(stop);
+    interruption.join();
+    finish(loop);
+    EXPECT_EQ(beauty(loop), plain) << milliseconds;
+  }
 }
 
 TEST_F(RenderLoopTest, BadEditsChangeNothing) {

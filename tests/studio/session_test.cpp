@@ -2,55 +2,16 @@
 // A client edits, measures, saves; the program's other commands give the same values.
 #include <half.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <thread>
 
 #include "image/files.h"
-#include "studio_client.h"
+#include "session_support.h"
 
 namespace oriel::studio {
 namespace {
-
-class StudioSessionTest : public StudioTest {
- protected:
-  /// Waits until the picture of the newest epoch is finished.
-  static json converged(TestSocket& socket, std::uint32_t epoch) {
-    return socket.wait([&](const json& m) {
-      return m["type"] == "progress" && m["status"] == "converged" && m["epoch"] >= epoch;
-    });
-  }
-  /// Beauty of the finished picture of that client, as an EXR file of the server.
-  std::vector<float> delivered(TestSocket& socket) {
-    const json reply = socket.ask({{"type", "deliver"}, {"kind", "exr"}});
-    EXPECT_EQ(reply["type"], "reply") << reply;
-    return pixels_of(fetch(reply["url"]));
-  }
-  std::string fetch(const std::string& url) const {
-    const std::string answer =
-        raw("GET " + url + " HTTP/1.1\r\n" + host() + "X-Oriel-Token: " + token + "\r\n\r\n");
-    EXPECT_EQ(std::atoi(answer.c_str() + 9), 200);
-    return answer.substr(answer.find("\r\n\r\n") + 4);
-  }
-  std::vector<float> pixels_of(const std::string& exr) {
-    std::ofstream(file("fetched.exr"), std::ios::binary) << exr;
-    return read_image(file("fetched.exr")).pixels;
-  }
-  /// The picture of `oriel render` with edits.
-  std::vector<float> rendered(const std::string& scene, const std::vector<std::string>& edits) {
-    std::vector<std::string> words = {"render", scene, "-o", "rendered.exr", "--samples", "8"};
-    for (const std::string& edit : edits) words.insert(words.end(), {"--set", edit});
-    EXPECT_EQ(run(words).exit_code, 0);
-    return read_image(file("rendered.exr")).pixels;
-  }
-  pid_t renderer() const {
-    std::ifstream children("/proc/" + std::to_string(process_) + "/task/" +
-                           std::to_string(process_) + "/children");
-    pid_t child = 0;
-    children >> child;
-    return child;
-  }
-};
 
 const std::vector<std::string> kEdits = {"grey.diffuse=.7 .2 .1", "lamp.origin=1 1 -3"};
 
@@ -144,7 +105,9 @@ TEST_F(StudioSessionTest, PixelsArriveReducedFirstAndAtFullSizeInTheEnd) {
     if (TestSocket::word(s, 8) < reply["epoch"]) continue;
     if (first_divider == 0) first_divider = u16(s, 14);
   }
-  EXPECT_EQ(first_divider, 2) << "the long side of the first picture has at least 128 pixels";
+  // The long side of the first picture has at least 128 pixels, half of that where it would be
+  // slow.
+  EXPECT_TRUE(first_divider == 2 || first_divider == 4) << first_divider;
   const std::string& last = socket->strips.back();
   EXPECT_EQ(u16(last, 14), 1);
   EXPECT_EQ(u16(last, 20), 320);
@@ -203,22 +166,6 @@ TEST_F(StudioSessionTest, MeasuredValuesAreThoseOfTheProgram) {
   converged(*socket, shown["epoch"]);
   socket->ask({{"type", "outline"}});
   EXPECT_EQ(socket->strips.back()[6], 2) << "R32F";
-}
-
-/// The halves of one layer in the last frame of a client.
-std::vector<float> layer_of_last_frame(const TestSocket& socket, int layer) {
-  const std::uint32_t frame = TestSocket::word(socket.strips.back(), 28);
-  std::vector<float> values;
-  for (const std::string& s : socket.strips) {
-    if (TestSocket::word(s, 28) != frame || static_cast<unsigned char>(s[12]) != layer) continue;
-    for (std::size_t i = 32; i + 1 < s.size(); i += 2) {
-      half value;
-      value.setBits(static_cast<std::uint16_t>(static_cast<unsigned char>(s[i]) |
-                                               static_cast<unsigned char>(s[i + 1]) << 8));
-      values.push_back(value);
-    }
-  }
-  return values;
 }
 
 TEST_F(StudioSessionTest, LightLayersSumToTheBeauty) {

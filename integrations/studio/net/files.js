@@ -37,13 +37,14 @@ export function saveBlob(blob, name) {
 
 /**
  * Address of a thumbnail as a blob, or null if the texture cannot be read. The caller revokes it.
- * @param {string} texture @param {string} token
+ * @param {string} texture @param {import("../scene/session.js").Session} session
  * @returns {Promise<string | null>}
  */
-export async function thumbnailUrl(texture, token) {
+export async function thumbnailUrl(texture, session) {
   try {
-    const answer = await call(`/api/thumbnail/${encodeURIComponent(texture)}`, token);
-    return URL.createObjectURL(await answer.blob());
+    const {url} = await session.request("thumbnail", {texture});
+    if (!String(url).startsWith("/api/thumbnail/")) return null;
+    return URL.createObjectURL(await (await call(url, session.token)).blob());
   } catch {
     return null;
   }

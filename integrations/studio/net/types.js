@@ -39,6 +39,7 @@
  * @property {boolean} paused
  * @property {Budget} budget
  * @property {boolean} look_stored
+ * @property {{latitude: number, longitude: number, time: string, north?: number, haze?: number} | null} [daylight]
  * @property {{min: Triple, max: Triple} | null} [bounds]
  * @property {{shader: string, parameters?: Record<string, number>}} [exposure]
  */
@@ -78,6 +79,7 @@
  * @property {string} type
  * @property {any} [value]
  * @property {any} [default]
+ * @property {string} [text] value of an array or a structure, as in a scene file
  * @property {number} [min]
  * @property {number} [max]
  * @property {string} [unit]

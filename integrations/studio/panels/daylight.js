@@ -21,7 +21,9 @@ export function createDaylightPanel(app) {
   const send = (/** @type {string} */ gesture) => {
     void session.daylight(fields(s.hour), gesture);
     chart.mark(s.hour);
+    restored = true;
   };
+  let restored = false;
   let pathRequest = 0;
   const loadPath = async () => {
     const request = ++pathRequest;
@@ -61,6 +63,22 @@ export function createDaylightPanel(app) {
   const none = h("p", {class: "empty", text: "The scene has no sun and sky."});
   const body = h("div", {}, section("Time", chart.element, hour.element, date.element, sun), section("Place", place.element, latitude.element, longitude.element, zone.element, north.element),
                  section("Air", haze.element), hours.element);
+  session.on("state", (state) => {
+    const d = state.daylight, time = /^(\d{4}-\d\d-\d\d)T(\d\d):(\d\d)(?::\d\d)?(?:Z|([+-]\d\d):(\d\d))$/.exec(d?.time ?? "");
+    if (restored || !d || !time) return;
+    restored = true;  // later states answer the changes of this panel
+    Object.assign(s, {latitude: d.latitude, longitude: d.longitude, date: time[1], hour: Number(time[2]) + Number(time[3]) / 60,
+                      zone: Number(time[4] ?? 0) + Math.sign(Number(time[4] ?? 0)) * Number(time[5] ?? 0) / 60, north: d.north ?? 0, haze: d.haze ?? s.haze});
+    latitude.set(s.latitude);
+    longitude.set(s.longitude);
+    zone.set(s.zone);
+    date.input.value = s.date;
+    hour.set(s.hour);
+    north.set(s.north);
+    haze.set(s.haze);
+    place.select.value = PLACES.find((p) => p[1] === s.latitude && p[2] === s.longitude)?.[0] ?? "";
+    void loadPath();
+  });
   session.on("outline", (outline) => {
     none.hidden = outline.daylight !== false;
     body.hidden = outline.daylight === false;

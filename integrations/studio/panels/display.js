@@ -36,6 +36,8 @@ export function createDisplayPanel(app) {
   const operator = selectField("View", [["agx", "AgX"], ["neutral", "PBR Neutral"], ["photographic", "Photographic"], ["simple", "Simple"]],
                                display.tone.operator, (v) => display.changeTone({operator: /** @type {any} */ (v)}));
   const layer = selectField("Layer", [["beauty", "beauty"]], "beauty", (v) => display.change({layer: v}));
+  const denoise = checkField("Denoise", false, (v) => display.change({layer: v ? "denoised" : "beauty"}),
+                             "Removes the noise of the finished picture; of a running one if that is quick");
   const automatic = button("Auto exposure", () => {
     const stops = automaticExposure(sampleColors(app), display.tone);
     if (stops !== null) display.changeTone({exposure: Number(stops.toFixed(2))});
@@ -63,7 +65,7 @@ export function createDisplayPanel(app) {
   const exposure = section("Exposure", number("exposure", "Exposure", {low: -10, high: 10, unit: "EV"}), h("div", {class: "actions"}, automatic), measured.element, camera);
   const balance = section("White balance", white);
   const curve = section("Tone curve", operator.element, film, simple, gamma);
-  const element = h("div", {class: "panel"}, h("header", {}, h("h2", {text: "Display"})), section("Show", layer.element, falseColorFields(app)),
+  const element = h("div", {class: "panel"}, h("header", {}, h("h2", {text: "Display"})), section("Show", layer.element, denoise.element, falseColorFields(app)),
                     exposure, balance, curve, section("Same picture by oriel tonemap", h("div", {class: "command-row"}, options, copy)));
 
   const update = () => {
@@ -79,6 +81,7 @@ export function createDisplayPanel(app) {
     gamma.hidden = t.operator === "agx" || t.operator === "neutral";
     options.textContent = tonemapOptions(t);
     layer.select.value = display.layer;
+    denoise.input.checked = display.layer === "denoised";
   };
   display.on("change", update);
   let known = "";
@@ -86,6 +89,7 @@ export function createDisplayPanel(app) {
     const names = state.available_layers.join("\n");
     if (names === known) return;
     known = names;
+    denoise.element.hidden = !state.available_layers.includes("denoised");
     const available = state.available_layers.includes(display.layer);
     layer.fill(state.available_layers.map((/** @type {string} */ n) => [n, n]), available ? display.layer : "beauty");
     if (!available) display.change({layer: "beauty"});
@@ -100,7 +104,7 @@ function falseColorFields(app) {
   const refresh = () => {
     if (!display.automaticScale) return;
     const names = app.session.frames.names, at = Math.max(0, names.indexOf(display.layer));
-    const unit = display.layer === "beauty" ? app.session.state.unit_luminance : 1;
+    const unit = display.layer === "beauty" || display.layer === "denoised" ? app.session.state.unit_luminance : 1;
     const values = sampleColors(app, at).map((c) => unit * (0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]));
     display.change({scale: scaleOf(values, display.scale.logarithmic)});
   };

@@ -90,9 +90,21 @@ function bareField(p, value, edit, reset, app) {
         if (document.activeElement !== field.input) field.input.value = valueText(n.value ?? n.default);
       }};
     }
-    default: return readOnlyField(p);
+    default: {
+      if (!isStructured(p.type)) return readOnlyField(p);
+      // Arrays and structures are written as in a scene file: [1 0 0, 0 1 0], {"name" 1}.
+      const field = textField(p.name, p.text ?? "", (v) => edit(v, newGesture(p.name)));
+      field.input.placeholder = p.type.startsWith("array") ? "[ ]" : "{ }";
+      field.element.title = doc;
+      return {element: withReset(field.element, p.name, reset), update: (n) => {
+        if (document.activeElement !== field.input) field.input.value = n.text ?? "";
+      }};
+    }
   }
 }
+
+/** @param {string} type */
+const isStructured = (type) => type.startsWith("array") || type === "struct";
 
 /** @param {HTMLElement} element @param {string} name @param {() => void} reset */
 function withReset(element, name, reset) {
@@ -132,7 +144,7 @@ function textureField(p, value, app) {
   field.element.classList.add("texture");
   const show = async (/** @type {string} */ name) => {
     if (image.src.startsWith("blob:")) URL.revokeObjectURL(image.src);
-    const url = name ? await thumbnailUrl(name, app.session.token) : null;
+    const url = name ? await thumbnailUrl(name, app.session) : null;
     if (url) image.src = url;
     else image.removeAttribute("src");
   };

@@ -56,7 +56,16 @@ export class Session extends Events {
     });
   }
 
-  start() { this.connection.connect(); }
+  start() {
+    this.connection.connect();
+    // A hidden page needs no new pictures.
+    document.addEventListener("visibilitychange", () => this.#sendHidden());
+    this.on("welcome", () => { if (document.hidden) this.#sendHidden(); });
+  }
+
+  #sendHidden() {
+    if (this.connection.isOpen) void this.attempt("view", {hidden: document.hidden});
+  }
 
   /** @param {string} type @param {object} [fields] @param {AbortSignal} [signal] @returns {Promise<any>} */
   request(type, fields = {}, signal = undefined) {
