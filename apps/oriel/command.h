@@ -45,6 +45,7 @@ Command add_shader_build_command(CLI::App& program);
 Command add_convert_command(CLI::App& program);
 Command add_quick_command(CLI::App& program);
 Command add_studio_command(CLI::App& program);
+Command add_interactive_command(CLI::App& program);
 /// All of them.
 std::vector<Command> add_commands(CLI::App& program);
 

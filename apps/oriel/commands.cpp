@@ -12,7 +12,7 @@ std::vector<Command> add_commands(CLI::App& program) {
           add_measure_command(program),    add_explain_command(program),
           add_falsecolor_command(program), add_shader_build_command(program),
           add_convert_command(program),    add_quick_command(program),
-          add_studio_command(program)};
+          add_studio_command(program),     add_interactive_command(program)};
 }
 
 }  // namespace oriel::app

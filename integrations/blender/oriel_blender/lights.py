@@ -83,7 +83,7 @@ def write(out, ob, light, name, matrix, motion, report):
     """Writes a light and its instance; returns the name of the instance, or None."""
     factor, profile = node_factor(light, report)
     element = out.names.unique(name + ".light")
-    unit, body = matrix, None
+    unit = matrix
     if light.type == "SUN":
         body = sun(light, factor)
     elif light.type == "AREA":
@@ -94,7 +94,7 @@ def write(out, ob, light, name, matrix, motion, report):
             unit = camera.unscaled(matrix)
     else:
         body = point(out, light, factor, profile, getattr(ob, "visible_camera", True), report)
-    out.add(f"light {mi.quoted(element)}\n{body}end light\n")
+    out.light(element, *body)
     instance = out.names.unique(name)
     extra = mi.transform(motion, "motion transform") or "" if motion is not None else ""
     return instance if out.instance(instance, element, unit, extra) else None
@@ -111,13 +111,13 @@ def sun(light, factor):
     if angle < 1e-4 or max(irradiance) <= 0:
         shader = mi.call("mib_light_infinite", color=tuple(c / math.pi for c in irradiance),
                          shadow=versions.light_casts_shadow(light))
-        return f"  {shader}\n  direction 0 0 -1\n"
+        return shader, "  direction 0 0 -1\n"
     # physical_light has 4 times the intensity along the normal, which is E D^2.
     shader = mi.call("physical_light",
                      color=tuple(4 * c * SUN_DISTANCE ** 2 for c in irradiance))
     radius = SUN_DISTANCE * math.tan(min(angle, 1.4))
-    return (f"  {shader}\n  origin 0 0 {mi.number(SUN_DISTANCE)}\n  direction 0 0 -1\n"
-            f"  disc 0 0 -1 {mi.number(radius)} visible off\n")
+    return shader, (f"  origin 0 0 {mi.number(SUN_DISTANCE)}\n  direction 0 0 -1\n"
+                    f"  disc 0 0 -1 {mi.number(radius)} visible off\n")
 
 
 def area(light, matrix, factor, visible, report):
@@ -135,7 +135,7 @@ def area(light, matrix, factor, visible, report):
         shape = f"disc 0 0 -1 {mi.number(math.sqrt(width * height) / 2)}"
     else:
         shape = f"rectangle {mi.number(width)} 0 0 0 {mi.number(height)} 0"
-    return f"  {shader}\n  origin 0 0 0\n  direction 0 0 -1\n  {shape} visible {seen}\n"
+    return shader, f"  origin 0 0 0\n  direction 0 0 -1\n  {shape} visible {seen}\n"
 
 
 def point(out, light, factor, profile, visible, report):
@@ -153,7 +153,7 @@ def point(out, light, factor, profile, visible, report):
         shader, text = photometric(out, light, power, profile, report), ""
     if light.shadow_soft_size > 0 and profile is None:
         text += f"  sphere {mi.number(light.shadow_soft_size)} visible {'on' if visible else 'off'}\n"
-    return f"  {shader}\n  origin 0 0 0\n{text}"
+    return shader, f"  origin 0 0 0\n{text}"
 
 
 def photometric(out, light, power, profile, report):
@@ -174,5 +174,5 @@ def photometric(out, light, power, profile, report):
 def portal(light, matrix):
     width, height, _area, scale = area_size(light, matrix)
     shader = mi.call("mia_portal_light", on=True, reverse=True, visible=False)
-    return (f"  {shader}\n  origin 0 0 0\n  rectangle {mi.number(width * scale[0])} 0 0 "
-            f"0 {mi.number(height * scale[1])} 0\n")
+    return shader, (f"  origin 0 0 0\n  rectangle {mi.number(width * scale[0])} 0 0 "
+                    f"0 {mi.number(height * scale[1])} 0\n")
