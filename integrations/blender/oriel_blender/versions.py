@@ -15,6 +15,21 @@ def split_normals(mesh):
     return normals.reshape(-1, 3)
 
 
+def has_vertex_normals(mesh):
+    """Whether smooth faces have the normals of their vertices: neither sharp edges nor custom
+    normals."""
+    if hasattr(mesh, "normals_domain"):  # from 4.1
+        return mesh.normals_domain == "POINT"
+    return not mesh.use_auto_smooth
+
+
+def smooth_faces(mesh):
+    """Smooth flags of the faces, bool of shape (faces,)."""
+    flags = numpy.empty(len(mesh.polygons), bool)
+    mesh.polygons.foreach_get("use_smooth", flags)
+    return flags
+
+
 def uv_layer(layer):
     """Texture coordinates of the face corners, float32 of shape (corners, 2)."""
     uv = numpy.empty(len(layer.data) * 2, numpy.float32)
