@@ -5,7 +5,7 @@ import math
 
 import numpy
 
-from . import mi, nodes, versions, world as links
+from . import layers, mi, nodes, versions, world as links
 
 MIN_ALPHA = 1e-5
 
@@ -75,6 +75,7 @@ class Surface:
         self.shader = None      # connection to a shader that replaces the parameters
         self.opacity = 1.0      # cutout
         self.transmits = False
+        self.scattered = None   # connection to a shader whose light is added
 
 
 class Principled:
@@ -128,6 +129,7 @@ class MaterialWriter:
             return name, 0
         name = self.out.names.unique(material.name)
         graph = nodes.Graph(self.out, self.images, material.name, self.report, self.spaces)
+        volume = ""
         if not material.use_nodes or material.node_tree is None:
             surface = Surface(diffuse=tuple(material.diffuse_color)[:3], diffuse_weight=1.0,
                               reflectivity=0.0)
@@ -135,12 +137,15 @@ class MaterialWriter:
             output = self.output_of(material.node_tree)
             surface = self.surface(graph, output.inputs["Surface"]) if output else Surface()
             if output and output.inputs["Displacement"].is_linked:
-                self.report(f'material "{name}": displacement is unsupported and ignored')
+                layers.displacement(graph, output.inputs["Displacement"], material, surface,
+                                    self.bump)
             if output and output.inputs["Volume"].is_linked:
-                self.report(f'material "{name}": volumes are unsupported and ignored')
+                if not output.inputs["Surface"].is_linked:
+                    surface.opacity = 0.0
+                volume = layers.volume(graph, output.inputs["Volume"], surface)
         shader = self.shader_of(graph, surface)
         self.finish(name, "= " + mi.quoted(shader),
-                    surface.transmits or surface.opacity != 1.0)
+                    surface.transmits or surface.opacity != 1.0, volume)
         return name, graph.used
 
     @staticmethod
@@ -154,8 +159,8 @@ class MaterialWriter:
                 return node
         return links.output_node(tree, "OUTPUT_MATERIAL")
 
-    def finish(self, name, surface, transmits):
-        text = f"material {mi.quoted(name)}\n  {surface}\n"
+    def finish(self, name, surface, transmits, volume=""):
+        text = f"material {mi.quoted(name)}\n  {surface}\n{volume}"
         if transmits and surface.startswith("="):
             text += f"  shadow {surface}\n  photon {surface}\n"
         self.out.add(text + "end material\n")
@@ -167,7 +172,8 @@ class MaterialWriter:
         parameters = {"diffuse_weight": 1.0, "reflectivity": 0.0, **surface.parameters}
         if surface.opacity != 1.0:
             parameters["cutout_opacity"] = surface.opacity
-        return self.out.shader_of(graph.material + ".surface", "mia_material_x", parameters)
+        shader = self.out.shader_of(graph.material + ".surface", "mia_material_x", parameters)
+        return layers.add_scattered(graph, surface, shader)
 
     def surface(self, graph, socket):
         groups = list(graph._groups)
@@ -231,11 +237,12 @@ class MaterialWriter:
             graph.unsupported(node, "is read only with an image and ignored")
             return
         texture = graph.images.texture(image.image, graph.material, image.name)
-        strength = graph.value(node.inputs["Strength"])
-        distance = graph.value(node.inputs["Distance"])
+        displaces = node.type == "DISPLACEMENT"
+        strength = 1.0 if displaces else graph.value(node.inputs["Strength"])
+        distance = graph.value(node.inputs["Scale" if displaces else "Distance"])
         if texture is None or any(isinstance(v, mi.Connection) for v in (strength, distance)):
             return
-        sign = -1.0 if node.invert else 1.0
+        sign = -1.0 if getattr(node, "invert", False) else 1.0
         graph.space("uv", "")
         graph.unsupported(node, "is approximated: its distance is relative to the size of the image")
         parameters["bump"] = graph.add("bump", "mib_bump_map2", factor=sign * strength * distance,
@@ -276,10 +283,9 @@ class MaterialWriter:
         if isinstance(emission, mi.Connection) or max(emission) > 0:
             surface.parameters["additional_color"] = emission
         surface.opacity = graph.scalar(read.get("Alpha", default=1.0))
-        for name in ("Subsurface Weight", "Subsurface", "Sheen Weight", "Sheen"):
-            if read.socket(name) and (read.socket(name).is_linked or read.number(name) > 0):
-                graph.unsupported(node, f'has "{name}", which is unsupported and ignored')
+        layers.subsurface(graph, read, surface, layered)
         self.coat(graph, read, surface, layered)
+        layers.sheen(graph, read, base, surface, layered, self.shader_of)
         return surface
 
     @staticmethod

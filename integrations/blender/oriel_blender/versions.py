@@ -62,6 +62,14 @@ def principled_is_layered(node):
     return "Coat Weight" in node.inputs
 
 
+def displaces_vertices(material):
+    """Whether a material moves vertices; otherwise its displacement is bump."""
+    settings = getattr(material, "cycles", None)
+    method = getattr(material, "displacement_method", None) or \
+        getattr(settings, "displacement_method", "BUMP")  # of Cycles until 4.0
+    return method != "BUMP"
+
+
 def light_factor(light):
     """Exposure of a light (from 4.5)."""
     return 2.0 ** getattr(light, "exposure", 0.0)
