@@ -88,7 +88,8 @@ def volume(graph, socket, surface):
                  refr_falloff_color=tuple(math.exp(-a) for a in absorbed))
         return ""
     if max(albedo) > 0:
-        graph.unsupported(node, "scatters light once; light that is scattered again is missing")
+        graph.unsupported(node, "scatters the light of lights once; light of the world and of "
+                                "surfaces, and light that is scattered again, is missing")
     if max(absorbed) - min(absorbed) > 1e-3 and max(albedo) <= 0:
         graph.unsupported(node, "absorbs colours differently; their mean is used outside of glass")
     if max(albedo) <= 0:

@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Materials: surface nodes of Blender as mia_material_x."""
-import functools
 import math
 
-import numpy
-
-from . import layers, mi, nodes, versions, world as links
+from . import layers, mi, microfacets, nodes, versions, world as links
 
 MIN_ALPHA = 1e-5
 
@@ -21,45 +18,11 @@ def gloss_of_roughness(roughness, sharpest=1.0):
     return min(max(-(math.log2(alpha) + 1.5) / 7, 0.0), sharpest)
 
 
-@functools.lru_cache(maxsize=64)
-def lost_energy(alpha):
-    """Share of light that GGX loses by single scattering: 1 - albedo, averaged over cosine.
-
-    Source: Walter et al. 2007 with the height-correlated masking of Heitz 2014, integrated over
-    visible normals (Heitz 2018) by 32 x 256 points.
-    """
-    if alpha < 1e-3:
-        return 0.0
-    mu = numpy.sqrt((numpy.arange(32) + .5) / 32)[:, None]
-    u = ((numpy.arange(256) + .5) / 256)[None, :]
-    v = (numpy.arange(256) * 0.6180339887498949 % 1)[None, :]
-    sine = numpy.sqrt(1 - mu * mu)
-    vx, vz = alpha * sine, mu + 0 * u
-    length = numpy.sqrt(vx * vx + vz * vz)
-    vx, vz = vx / length, vz / length
-    r, phi = numpy.sqrt(u), 2 * numpy.pi * v
-    t1, t2 = r * numpy.cos(phi), r * numpy.sin(phi)
-    s = (1 + vz) / 2
-    t2 = (1 - s) * numpy.sqrt(1 - t1 * t1) + s * t2
-    # Basis: T1 = (0, 1, 0), T2 = cross(V, T1) = (-vz, 0, vx).
-    t3 = numpy.sqrt(numpy.maximum(0, 1 - t1 * t1 - t2 * t2))
-    nx, ny, nz = -vz * t2 + vx * t3, t1, vx * t2 + vz * t3
-    hx, hy, hz = alpha * nx, alpha * ny, numpy.maximum(nz, 1e-9)
-    norm = numpy.sqrt(hx * hx + hy * hy + hz * hz)
-    hx, hz = hx / norm, hz / norm
-    cosine = 2 * (sine * hx + mu * hz) * hz - mu
-    def masking(c):
-        c = numpy.clip(c, 1e-6, 1)
-        return (numpy.sqrt(1 + alpha * alpha * (1 / (c * c) - 1)) - 1) / 2
-    ratio = (1 + masking(mu)) / (1 + masking(mu) + masking(cosine))
-    return float(1 - numpy.where(cosine > 0, ratio, 0).mean())
-
-
 def single_scattering(value, roughness, f0):
     """Factor of the reflection for Cycles' GGX without multiple scattering."""
     if isinstance(roughness, mi.Connection) or isinstance(f0, mi.Connection):
         return value
-    lost = lost_energy(round(max(roughness, 0.0) ** 2, 4))
+    lost = microfacets.lost_energy(round(max(roughness, 0.0) ** 2, 4))
     return value / (1 + f0 * lost / (1 - lost))
 
 
@@ -268,6 +231,14 @@ class MaterialWriter:
         self.reflection(graph, p, metallic, f0, tint, base)
         if getattr(node, "distribution", "") == "GGX" and not layered:
             p["reflectivity"] = single_scattering(1.0, roughness, p["brdf_0_degree_refl"])
+        if not any(isinstance(v, mi.Connection) for v in (roughness, p["brdf_0_degree_refl"])):
+            single = getattr(node, "distribution", "") == "GGX"
+            bent = ior if layered else (1 + math.sqrt(f0)) / (1 - math.sqrt(min(f0, .99)))
+            p["brdf_0_degree_refl"], p["brdf_90_degree_refl"], p["brdf_curve"] = \
+                microfacets.reflectance_curve(round(roughness ** 2, 4),
+                                              round(p["brdf_0_degree_refl"], 5),
+                                              round(max(bent, 1.05), 4), single)
+            p["reflectivity"] = 1.0
         if f0 <= 0 and metallic == 0.0:
             p["reflectivity"] = 0.0
         metal = not isinstance(metallic, mi.Connection) and metallic >= 1
