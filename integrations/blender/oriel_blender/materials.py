@@ -30,6 +30,17 @@ def f0_of_ior(ior):
     return ((ior - 1) / (ior + 1)) ** 2
 
 
+def retro_reflective(graph, colour, roughness):
+    """The Lambertian colour with the albedo of the diffuse lobe of Principled until 3.6.
+
+    The albedo of white is that of Burley 2012, integrated over both directions.
+    """
+    if isinstance(colour, mi.Connection) or isinstance(roughness, mi.Connection):
+        return colour
+    albedo = 0.9536 + roughness * (0.1076 + 0.0034 * roughness)
+    return tuple(min(c * albedo, max(c, 1.0)) for c in graph.colour(colour))
+
+
 class Surface:
     """The result of a surface node: parameters of mia_material_x, or a finished shader."""
 
@@ -226,7 +237,7 @@ class MaterialWriter:
         p = {"brdf_fresnel": False, "brdf_curve": 5.0, "brdf_90_degree_refl": 1.0,
              "reflectivity": 1.0, "refr_ior": max(ior, 1.0),
              "refl_gloss": graph.curve(roughness, self.gloss)}
-        p["diffuse"] = base
+        p["diffuse"] = base if layered else retro_reflective(graph, base, roughness)
         p["diffuse_weight"] = graph.affine(metallic, 1.0, 0.0)
         self.reflection(graph, p, metallic, f0, tint, base)
         if getattr(node, "distribution", "") == "GGX" and not layered:
