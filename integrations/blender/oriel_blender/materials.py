@@ -31,13 +31,10 @@ def f0_of_ior(ior):
 
 
 def retro_reflective(graph, colour, roughness):
-    """The Lambertian colour with the albedo of the diffuse lobe of Principled until 3.6.
-
-    The albedo of white is that of Burley 2012, integrated over both directions.
-    """
+    """The Lambertian colour with the albedo of the diffuse lobe of Principled until 3.6."""
     if isinstance(colour, mi.Connection) or isinstance(roughness, mi.Connection):
         return colour
-    albedo = 0.9536 + roughness * (0.1076 + 0.0034 * roughness)
+    albedo = microfacets.diffuse_albedo(roughness)
     return tuple(min(c * albedo, max(c, 1.0)) for c in graph.colour(colour))
 
 

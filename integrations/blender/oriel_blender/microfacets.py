@@ -53,6 +53,11 @@ def reflected(mu, alpha, ior):
     return ratio.mean(axis=1), (ratio * rise).mean(axis=1)
 
 
+def diffuse_albedo(roughness):
+    """Albedo of the white diffuse lobe of Principled until 3.6 (Burley 2012), over both directions."""
+    return 0.9536 + roughness * (0.1076 + 0.0034 * roughness)
+
+
 @functools.lru_cache(maxsize=64)
 def lost_energy(alpha):
     """Share of light that GGX loses by single scattering: 1 - albedo, averaged over cosine."""
