@@ -221,4 +221,28 @@ def sky():
     support.check(30 < total < 200, f"irradiance {total:.1f} W/m2")
 
 
-support.run((pictures, textures, depth_of_field, transparent_film, sky))
+def place():
+    """The sun of Berlin on 21 June: at true noon it is 90 - 52.5 + 23.4 degrees high, in the south."""
+    scene = support.empty_scene(8, 8)
+    scene.render.engine = "ORIEL"
+    bpy.ops.world.oriel_add_sky()
+    node = next(n for n in scene.world.node_tree.nodes if n.type == "TEX_SKY")
+    settings = scene.world.oriel
+    settings.latitude, settings.longitude, settings.zone = 52.5, 13.4, 2.0
+    settings.year, settings.month, settings.day = 2026, 6, 21
+    # 15 degrees of longitude are an hour; the equation of time is -1.8 minutes on that day.
+    settings.hour = 12 + 2 - 13.4 / 15 + 1.8 / 60
+    settings.use_place = True
+    height, turn = math.degrees(node.sun_elevation), math.degrees(node.sun_rotation)
+    support.check(abs(height - (90 - 52.5 + 23.44)) < .1, f"elevation {height:.2f}")
+    support.check(abs(turn - 180) < .5, f"azimuth {turn:.2f}")
+    settings.north = 30.0
+    turned = math.degrees(node.sun_rotation)
+    support.check(abs(turned - turn - 30) < .01, f"north turns the sun clockwise: {turned:.2f}")
+    settings.hour = 8.0
+    support.check(60 < math.degrees(node.sun_rotation) - 30 < 100, "the sun is in the east at 8")
+    settings.month, settings.day = 2, 31
+    support.check("clockwise" in settings.shown, f"the last day of February: {settings.shown}")
+
+
+support.run((place, pictures, textures, depth_of_field, transparent_film, sky))
