@@ -116,7 +116,7 @@ def trilist(data, motion=None):
     if data.uvs:
         fields.append("t " + " ".join(str(uv.shape[1]) for uv in data.uvs))
     if motion is not None:
-        fields.append("m 1")
+        fields.append(f"m {motion.shape[1] // 3}")
     vertices = numpy.concatenate(columns, axis=1).astype(">f4")
     corners = index[data.triangles].astype(">u4")
     text = (f"trilist vertex {len(vertices)} {' '.join(fields)}\n"
