@@ -221,6 +221,29 @@ def sky():
     support.check(30 < total < 200, f"irradiance {total:.1f} W/m2")
 
 
+def baked():
+    """Nodes without an equivalent, after baking, look as in Cycles; before, a message names them."""
+    def cells(tree):
+        voronoi = tree.nodes.new("ShaderNodeTexVoronoi")
+        voronoi.inputs["Scale"].default_value = 4.0
+        return voronoi.outputs["Color"]
+    plane_with(cells)
+    tree = bpy.data.materials["Textured"].node_tree
+    ob = next(o for o in bpy.data.objects if o.type == "MESH")
+    for other in bpy.context.selected_objects:
+        other.select_set(False)
+    ob.select_set(True)
+    bpy.context.view_layer.objects.active = ob
+    count = len(tree.nodes), len(bpy.data.objects), len(bpy.data.meshes)
+    support.check(bpy.ops.object.oriel_bake(size=256) == {"FINISHED"}, "it is baked")
+    after = len(tree.nodes) - 1, len(bpy.data.objects), len(bpy.data.meshes)
+    support.check(count == after, f"only the image is added: {count}, {after}")
+    kinds = {link.to_node.type for node in tree.nodes if node.type == "TEX_VORONOI"
+             for link in node.outputs["Color"].links}
+    support.check(kinds == {"BSDF_DIFFUSE"}, f"the nodes stay: {kinds}")
+    same("baked voronoi", .03, 64)
+
+
 def place():
     """The sun of Berlin on 21 June: at true noon it is 90 - 52.5 + 23.4 degrees high, in the south."""
     scene = support.empty_scene(8, 8)
@@ -245,4 +268,4 @@ def place():
     support.check("clockwise" in settings.shown, f"the last day of February: {settings.shown}")
 
 
-support.run((place, pictures, textures, depth_of_field, transparent_film, sky))
+support.run((place, baked, pictures, textures, depth_of_field, transparent_film, sky))

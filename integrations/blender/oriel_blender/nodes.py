@@ -62,6 +62,12 @@ class Graph:
                 return node, output
         return None
 
+    def baked(self, socket):
+        """The image that bake.py made for a linked input, as origin()."""
+        from . import bake
+        node = bake.find(socket) if socket is not None and socket.is_linked else None
+        return (node, node.outputs["Color"]) if node is not None and node.image else None
+
     def constant(self, socket):
         if not hasattr(socket, "default_value"):
             return 0.0
@@ -76,7 +82,7 @@ class Graph:
         """A number, a tuple of three numbers, or a connection."""
         groups = list(self._groups)
         try:
-            found = self.origin(socket)
+            found = self.baked(socket) or self.origin(socket)
             if found is None:
                 return self.constant(socket)
             node, output = found
