@@ -159,6 +159,9 @@ def main():
         support.check((live.reloads == loads) == is_edit,
                       f"{name}: {'an edit' if is_edit else 'a new scene'}")
         before = edited
+    loads = live.reloads
+    finish(live, job(folder, mesh_folder, known))
+    support.check(live.reloads == loads, "the same state again is finished at once")
     live.stop()
     support.check(viewport_worker.ordered(["b", "c", "a"], ["a", "x", "b"]) == ["a", "b", "c"],
                   "unchanged edits come first, in their order")

@@ -151,4 +151,5 @@ class Process:
         except ValueError as error:
             self.errors.append(f"a message of the renderer is damaged: {error}")
             self._process.kill()
+        self._process.wait()
         self._on_end()

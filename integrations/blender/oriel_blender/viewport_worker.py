@@ -58,6 +58,7 @@ class Worker:
         self._sent = None         # job whose scene and edits the process has
         self._base = None         # job whose text the process has read
         self._edits = []
+        self._processes = 0       # number of processes so far
         self._request = 0         # number of the last request
         self._epoch = None        # epoch of its pictures; None before the reply
         self._first = True        # its first picture has arrived
@@ -162,6 +163,12 @@ class Worker:
             edits = mi.edits_between(self._base.parts, state.parts)
         if edits is not None and len(edits) <= MAX_EDITS:
             edits = ordered(edits, self._edits)
+            if edits == self._edits and self._sent[2].view == state.view:
+                with self._changed:  # the process shows it already
+                    if self.finished == self._sent[0]:
+                        self.finished = job[0]
+                    self._sent = job
+                return
             fields = {} if edits == self._edits else {"edits": edits}
             self._edits = edits
             failed = self._ask(job, {**state.view, **fields})
@@ -178,9 +185,13 @@ class Worker:
         path = os.path.join(self.folder, "view.mi")
         export.write_text(path, state.text())
         if self.process is None:
+            self._processes = number = self._processes + 1
+
+            def of_this(function):  # messages of an earlier process may still arrive
+                return lambda value: function(value) if number == self._processes else None
             self.process = interactive.Process(
-                program.find_cached(), path, state.arguments, self.folder, self._on_message,
-                self._on_picture, self._on_end)
+                program.find_cached(), path, state.arguments, self.folder,
+                of_this(self._on_message), of_this(self._on_picture), self._on_end)
         self._base, self._edits = state, []
         self.reloads += 1
         return self._ask(job, {**state.view, "reload": True})
