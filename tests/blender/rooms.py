@@ -11,7 +11,7 @@ import numpy
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import support  # noqa: E402
 
-LIMIT = .03
+LIMIT = .035
 
 
 def compare(label, samples=256, size=8, limit=LIMIT):
