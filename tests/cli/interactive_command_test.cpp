@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // oriel interactive: requests on standard input, pictures on standard output.
 #include <half.h>
+#include <poll.h>
 
 #include <cmath>
 #include <cstdint>
@@ -60,6 +61,9 @@ class InteractiveCommand : public ProgramTest {
   bool read_bytes(void* to, std::size_t size) const {
     auto* at = static_cast<char*>(to);
     while (size > 0) {
+      constexpr int kMilliseconds = 30000;  // a message that never comes must not stop the tests
+      pollfd waits{from_, POLLIN, 0};
+      if (poll(&waits, 1, kMilliseconds) <= 0) return false;
       const ssize_t got = ::read(from_, at, size);
       if (got <= 0) return false;
       at += got, size -= static_cast<std::size_t>(got);
