@@ -54,6 +54,7 @@ Command add_pack_command(CLI::App& program);
 Command add_submit_command(CLI::App& program);
 Command add_status_command(CLI::App& program);
 Command add_work_command(CLI::App& program);
+Command add_interactive_command(CLI::App& program);
 /// All of them.
 std::vector<Command> add_commands(CLI::App& program);
 

@@ -20,6 +20,7 @@ std::vector<Command> add_commands(CLI::App& program) {
           add_studio_command(program),     add_merge_command(program),
           add_pack_command(program),       add_submit_command(program),
           add_status_command(program),     add_work_command(program)};
+          add_studio_command(program),     add_interactive_command(program)};
 }
 
 }  // namespace oriel::app

@@ -78,7 +78,10 @@ void add_shared(CLI::App& command, ConvertArguments& a) {
   command.add_option("MODEL", a.model, "Model: glTF, GLB, OBJ, FBX, Collada, IFC, ...")
       ->required()
       ->check(CLI::ExistingFile);
-  command.add_option("--up", a.up, "Axis of the model that points up (default: from the format)")
+  command
+      .add_option("--up", a.up,
+                  "Axis of the model that points up (default: from the format), or of the "
+                  "scene that becomes glTF (default y)")
       ->check(one_of({"y", "z"}));
   command.add_option("--size", a.size,
                      "Size of the picture, WIDTHxHEIGHT in pixels (default: from the model's "

@@ -19,6 +19,7 @@
 #include "numbers.h"
 #include "scene_dump.h"
 #include "scene_file.h"
+#include "scene_motion.h"
 #include "shaders/registry.h"
 
 namespace oriel::app {
@@ -51,14 +52,18 @@ models::DaylightOptions daylight_options(const ConvertArguments& a) {
 bool is_glb(const fs::path& path) { return path.extension() == ".glb"; }
 bool is_dump(const fs::path& path) { return path.extension() == ".json"; }
 
-scene::Scene read_mi(const std::string& path, const TrustArguments& trust,
+/// Inputs:  motion: gets the placements of all frames; may be null.
+scene::Scene read_mi(const std::string& path, const TrustArguments& trust, SceneMotion* motion,
                      Diagnostics& diagnostics) {
   SceneArguments arguments;
   arguments.path = path;
   arguments.trust = trust;
   mi::Reader reader(path, read_options(arguments, builtin_shaders()), diagnostics);
   if (!reader.opened()) throw UserError(fmt::format("cannot read '{}'", path));
-  return mi::read_all(reader);
+  scene::Scene scene;
+  while (reader.next_frame(scene))
+    if (motion) motion->add_frame(scene);
+  return scene;
 }
 
 /// A scene may contain hours of work: it is replaced only if a conversion wrote it.
@@ -86,7 +91,7 @@ class Conversion {
       throw UserError(fmt::format("cannot write '{}': there is no folder '{}'", to_, folder));
     check_scene_target(to_, a_.force);
     if (is_mi(a_.model)) {
-      scene_ = read_mi(a_.model, a_.trust, diagnostics_);
+      scene_ = read_mi(a_.model, a_.trust, is_dump(to_) ? &motion_ : nullptr, diagnostics_);
       write();
       return;
     }
@@ -128,14 +133,14 @@ class Conversion {
   void write() {
     if (is_dump(to_)) {
       const fs::path arrays = fs::path(to_).replace_extension(".bin");
-      const SceneDump dump = dump_scene(scene_, arrays.filename().string(), diagnostics_);
+      const SceneDump dump = dump_scene(scene_, arrays.filename().string(), motion_, diagnostics_);
       write_durably(arrays.string(), dump.binary);
       write_durably(to_, dump.json);
       printer_.print_new();
       return;
     }
     const bool glb = is_glb(to_);
-    if (glb) write_durably(to_, models::gltf::write_glb(scene_, diagnostics_));
+    if (glb) write_durably(to_, models::gltf::write_glb(scene_, diagnostics_, a_.up == "z"));
     const bool written = glb || mi::write_scene(scene_, to_, diagnostics_);
     printer_.print_new();
     if (!written) throw UserError(fmt::format("cannot write '{}'", to_));
@@ -143,7 +148,7 @@ class Conversion {
 
   /// As it will be read: pictures are found from where the scene is.
   float metered(float f_number) {
-    scene::Scene written = read_mi(to_, trust_of_result(a_), diagnostics_);
+    scene::Scene written = read_mi(to_, trust_of_result(a_), nullptr, diagnostics_);
     return metered_shutter(written, f_number) / kMiddleGrey;
   }
 
@@ -184,6 +189,7 @@ class Conversion {
   Diagnostics diagnostics_;
   DiagnosticPrinter printer_{diagnostics_, false, !a_.quiet};
   scene::Scene scene_;
+  SceneMotion motion_;
 };
 
 }  // namespace

@@ -16,11 +16,14 @@
 #include "scene/asset_path.h"
 #include "scene/element_settings.h"
 #include "scene/hierarchy.h"
+#include "scene_motion.h"
 
 namespace oriel::app {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t kMaxMotionMatrices = std::size_t{1} << 22;  ///< 256 MB
 
 static_assert(std::endian::native == std::endian::little, "arrays are written as in memory");
 
@@ -81,7 +84,7 @@ json shaders_json(const scene::ShaderList& list) {
 
 class Dump {
  public:
-  explicit Dump(const scene::Scene& scene) : scene_(scene) {}
+  Dump(const scene::Scene& scene, const SceneMotion& motion) : scene_(scene), motion_(motion) {}
 
   SceneDump run(const std::string& binary_name, Diagnostics& diagnostics) {
     root_ = {{"format", "oriel-scene"}, {"version", 1}, {"binary", binary_name}};
@@ -120,6 +123,7 @@ class Dump {
 
   void add_leaf(const scene::Leaf& leaf) {
     json placed = {{"name", leaf.instance().name}, {"matrix", matrix_json(leaf.local_to_world)}};
+    add_motion(leaf.instance().name, placed);
     if (const auto* object = leaf.object()) {
       if (!add_object(*object, leaf)) return;
       placed["kind"] = "object";
@@ -222,7 +226,27 @@ class Dump {
     root_["textures"].push_back(std::move(made));
   }
 
+  /// The matrices of the frames of a placement that moves.
+  void add_motion(const std::string& name, json& placed) {
+    const std::vector<Mat4> matrices = motion_.matrices(name, placements_[name]++);
+    if (matrices.empty()) return;
+    motion_matrices_ += matrices.size();
+    if (motion_matrices_ > kMaxMotionMatrices) {
+      left_out_.insert("movements of many objects in many frames");
+      return;
+    }
+    std::vector<float> numbers;
+    numbers.reserve(matrices.size() * 16);
+    for (const Mat4& m : matrices)
+      for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column) numbers.push_back(m[row][column]);
+    placed["motion"] = array(numbers);
+  }
+
   const scene::Scene& scene_;
+  const SceneMotion& motion_;
+  std::map<std::string, std::size_t> placements_;  ///< so far, by instance
+  std::size_t motion_matrices_ = 0;
   json root_;
   std::string binary_;
   std::map<const scene::Object*, bool> objects_;
@@ -232,8 +256,8 @@ class Dump {
 }  // namespace
 
 SceneDump dump_scene(const scene::Scene& scene, const std::string& binary_name,
-                     Diagnostics& diagnostics) {
-  return Dump(scene).run(binary_name, diagnostics);
+                     const SceneMotion& motion, Diagnostics& diagnostics) {
+  return Dump(scene, motion).run(binary_name, diagnostics);
 }
 
 }  // namespace oriel::app

@@ -12,6 +12,8 @@ class Scene;
 
 namespace oriel::app {
 
+class SceneMotion;
+
 /// The two files of a dump.
 struct SceneDump {
   std::string json;    ///< elements, placements, shader calls, and where arrays begin
@@ -23,10 +25,11 @@ struct SceneDump {
 /// Model:   objects are tessellated; positions of their vertices are unchanged. Matrices map local
 ///          to world space for row vectors. Shader calls are written as in the scene, without
 ///          evaluation.
-/// Inputs:  binary_name: name of the file with the arrays, as it will be written.
+/// Inputs:  binary_name: name of the file with the arrays, as it will be written. motion: of all
+///          frames.
 /// Errors:  OR-MD-031 one note for each kind of geometry that is left out.
 /// Checked: SceneDumpTest.*
 SceneDump dump_scene(const scene::Scene& scene, const std::string& binary_name,
-                     Diagnostics& diagnostics);
+                     const SceneMotion& motion, Diagnostics& diagnostics);
 
 }  // namespace oriel::app

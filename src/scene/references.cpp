@@ -36,16 +36,24 @@ void References::note(const std::string& name) {
   if (!name.empty() && seen_.insert(name).second) noted_.push_back(name);
 }
 
+// A dot is part of a name, or begins the name of a result.
+void References::note_shader(const std::string& name) {
+  std::string element = name;
+  while (!scene_.find(element) && element.find('.') != std::string::npos)
+    element.resize(element.rfind('.'));
+  note(element);
+}
+
 void References::note(const ShaderList& list) {
   for (const ShaderUse& use : list) {
-    note(use.reference.substr(0, use.reference.find('.')));
+    note_shader(use.reference);
     for (const Argument& argument : use.arguments) note(argument.value);
   }
 }
 
 void References::note(const Value& value) {
   if (value.kind == Value::Kind::Text) note(value.text);
-  if (value.kind == Value::Kind::Connection) note(value.text.substr(0, value.text.find('.')));
+  if (value.kind == Value::Kind::Connection) note_shader(value.text);
   for (const Value& item : value.items) note(item);
   for (const Argument& member : value.members) note(member.value);
 }

@@ -26,6 +26,7 @@ class References {
  private:
   void follow_noted();
   void note(const std::string& name);
+  void note_shader(const std::string& name);
   void note(const ShaderList& list);
   void note(const Value& value);
 

@@ -60,6 +60,9 @@ def profile():
     compare("profile", 10 * 100 / 177.83 / 4 / math.pi)
     scene.camera.location.x = 2.0  # at 45 degrees
     compare("profile at 45 degrees", 10 * 60 / 177.83 / 4 / math.pi / 2 ** 1.5)
+    node.mode, node.ies = "INTERNAL", bpy.data.texts.new("test.ies")
+    node.ies.write(IES)
+    compare("profile of a text", 10 * 60 / 177.83 / 4 / math.pi / 2 ** 1.5)
 
 
 def use_nodes(light):

@@ -57,7 +57,8 @@ def principled(**values):
         material, tree, node = support.node_material()
         for name, value in values.items():
             socket = node.inputs[name.replace("_", " ")]
-            socket.default_value = (*value, 1) if isinstance(value, tuple) else value
+            alpha = (1,) if socket.type == "RGBA" else ()
+            socket.default_value = (*value, *alpha) if isinstance(value, tuple) else value
         return material
     return make
 
@@ -81,6 +82,57 @@ def normal_map():
     tree.links.new(source.outputs[0], convert.inputs["Color"])
     tree.links.new(convert.outputs[0], node.inputs["Normal"])
     node.inputs["Base Color"].default_value = (.7, .6, .5, 1)
+    return material
+
+
+def colour_of(node, **values):
+    for name, value in values.items():
+        socket = node.inputs[name.replace("_", " ")]
+        socket.default_value = (*value, 1) if isinstance(value, tuple) else value
+    return node
+
+
+def absorbing_glass():
+    """Glass with the volume absorption of a green liquid."""
+    material, tree, node = support.node_material()
+    colour_of(node, Base_Color=(1.0, 1.0, 1.0), Transmission=1.0, Roughness=0.0, IOR=1.3)
+    volume = colour_of(tree.nodes.new("ShaderNodeVolumeAbsorption"), Color=(.2, .8, .5), Density=.7)
+    tree.links.new(volume.outputs[0], tree.nodes["Material Output"].inputs["Volume"])
+    return material
+
+
+def fog():
+    """A volume without a surface, with Cycles' default of scattering once."""
+    material, tree, node = support.node_material()
+    tree.nodes.remove(node)
+    volume = colour_of(tree.nodes.new("ShaderNodeVolumeScatter"), Color=(.6, .7, .9), Density=.3,
+                       Anisotropy=.3)
+    tree.links.new(volume.outputs[0], tree.nodes["Material Output"].inputs["Volume"])
+    return material
+
+
+def tiled():
+    """An image of two UDIM tiles."""
+    folder = support.FOLDER / "tiles"
+    folder.mkdir(exist_ok=True)
+    for number, rgb in ((1001, (.8, .2, .1)), (1002, (.1, .3, .7))):
+        picture = image(f"tile{number}", lambda u, v, c=rgb: tuple(x + 0 * u for x in c))
+        picture.filepath_raw = str(folder / f"tile.{number}.png")
+        picture.file_format = "PNG"
+        picture.save()
+    picture = bpy.data.images.load(str(folder / "tile.1001.png"), check_existing=False)
+    picture.source = "TILED"
+    picture.filepath = str(folder / "tile.<UDIM>.png")
+    if len(picture.tiles) < 2:
+        picture.tiles.new(1002)
+    material, tree, node = support.node_material()
+    node.inputs["Specular"].default_value = 0
+    mapping = tree.nodes.new("ShaderNodeMapping")
+    mapping.inputs["Scale"].default_value = (2, 1, 1)
+    tree.links.new(tree.nodes.new("ShaderNodeUVMap").outputs[0], mapping.inputs["Vector"])
+    source = image_node(tree, picture)
+    tree.links.new(mapping.outputs[0], source.inputs["Vector"])
+    tree.links.new(source.outputs[0], node.inputs["Base Color"])
     return material
 
 
@@ -110,6 +162,10 @@ CASES = {
     "alpha": principled(Base_Color=(.7, .2, .2), Specular=0.0, Alpha=.5),
     "emission": principled(Base_Color=(0.0, 0.0, 0.0), Specular=0.0, Emission=(1.0, .4, .1),
                            Emission_Strength=2.0),
+    "absorption": absorbing_glass, "fog": fog, "tiles": tiled,
+    "sheen": principled(Base_Color=(.1, .1, .3), Specular=0.0, Sheen=1.0),
+    "subsurface": principled(Base_Color=(.8, .6, .5), Specular=0.0, Subsurface=.3,
+                             Subsurface_Color=(.8, .3, .2), Subsurface_Radius=(.3, .3, .3)),
     "texture": textured, "normal map": normal_map, "mix with transparent": mixed,
 }
 

@@ -44,9 +44,8 @@ def main():
         return 0
     start = [*XVFB, blender()] if window else [blender(), "-b"]
     with tempfile.TemporaryDirectory() as folder:
-        # One thread: the last bits of the normals that Blender computes depend on its threads.
         run = subprocess.run(
-            [*start, "--factory-startup", "-t", "1", "--python-exit-code", "3", "--python",
+            [*start, "--factory-startup", "--python-exit-code", "3", "--python",
              str(HERE / script)], env=environment(program, folder), stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT, text=True, errors="replace", check=False)
     print(run.stdout)

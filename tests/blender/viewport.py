@@ -2,9 +2,10 @@
 """The rendered viewport in a window (of Xvfb): it draws, follows edits and views, and survives
 a crash of the program."""
 # acceptance: Y4
+import os
 import pathlib
+import signal
 import sys
-import time
 import traceback
 
 import bpy
@@ -12,7 +13,7 @@ import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import support  # noqa: E402
-from oriel_blender import program, viewport  # noqa: E402
+from oriel_blender import viewport  # noqa: E402
 
 WAIT = 0.2
 seen = {}
@@ -78,6 +79,7 @@ def prepare():
     support.check(numpy.abs(solid - ours).max() <= 2, f"outline {ours}, of the solid view {solid}")
     world = (numpy.abs(seen["start"][5, 5] - (.2, .3, .6)) < .01).all()
     support.check(world, f"the world is behind the cube: {seen['start'][5, 5]}")
+    reloads = session().worker.reloads
     # An edit of a material.
     before = submitted()
     material = bpy.data.materials["Material"]
@@ -106,20 +108,70 @@ def prepare():
     yield lambda: True
     support.check(submitted() == jobs, "colour management restarts nothing")
     scene.view_settings.exposure = 0.0
+    support.check(session().worker.reloads == reloads, "edits of values do not write the scene")
+    # Another mesh is another scene.
+    before = submitted()
+    bpy.data.meshes["Cube"].vertices[0].co.z -= 2.0
+    bpy.data.meshes["Cube"].update()
+    yield lambda: finished(before)
+    support.check(session().worker.reloads == reloads + 1, "changed geometry is read again")
+    # Light of a lamp.
+    before = submitted()
+    bpy.data.lights["Light"].energy = 0
+    yield lambda: finished(before)
+    seen["dark"] = screenshot("viewport_dark")
+    support.check(seen["dark"].mean() < seen["view"].mean() - .005, "the lamp is off")
+    # The border of the view: the rest is not drawn.
+    before = submitted()
+    space.use_render_border = True
+    space.render_border_min_x, space.render_border_max_x = .4, .6
+    space.render_border_min_y, space.render_border_max_y = .4, .6
+    area.tag_redraw()
+    yield lambda: finished(before)
+    picture = session().worker.picture
+    width, height = session().worker._sent[2].size
+    support.check(abs(picture.pixels.shape[1] - .2 * width) <= 1 and
+                  abs(picture.pixels.shape[0] - .2 * height) <= 1,
+                  f"the border has {picture.pixels.shape[1::-1]} of {width} x {height} pixels")
+    seen["border"] = screenshot("viewport_border")
+    drawn = numpy.abs(seen["border"] - seen["dark"]).max(axis=2) < .02
+    inside, outside = drawn[drawn.shape[0] // 2, drawn.shape[1] // 2], drawn[5, 5]
+    support.check(inside and not outside, "the border is drawn in its place")
+    space.use_render_border = False
+    # The camera: shift and depth of field.
+    before = submitted()
+    camera = scene.camera.data
+    camera.shift_x = .1
+    region.view_perspective = "CAMERA"
+    yield lambda: finished(before)
+    seen["camera"] = screenshot("viewport_camera")
+    before, jobs = submitted(), session().worker.reloads
+    camera.dof.use_dof, camera.dof.focus_distance, camera.dof.aperture_fstop = True, 2.0, .2
+    yield lambda: finished(before)
+    seen["blurred"] = screenshot("viewport_blurred")
+    sharp, blurred = (numpy.abs(numpy.diff(seen[k], axis=1)).max() for k in ("camera", "blurred"))
+    support.check(blurred < .7 * sharp, f"depth of field: steps of {sharp:.2f} to {blurred:.2f}")
+    before, jobs = submitted(), session().worker.reloads
+    camera.dof.focus_distance = 3.0
+    yield lambda: finished(before)
+    support.check(session().worker.reloads == jobs, "the focus is an edit")
+    camera.dof.use_dof = False
+    # Denoising.
+    before = submitted()
+    scene.oriel.preview_denoise = True
+    yield lambda: finished(before)
+    support.check(numpy.isfinite(session().worker.picture.pixels).all(), "the picture is denoised")
+    scene.oriel.preview_denoise = False
     # A crash of the program is a message.
-    broken = support.FOLDER / "broken_view"
-    broken.write_text("#!/bin/sh\nkill -SEGV $$\n")
-    broken.chmod(0o755)
-    program._found = str(broken)
-    bpy.data.objects["Cube"].location.z -= 1.5
+    os.kill(session().worker.process.pid, signal.SIGSEGV)
     yield lambda: session().worker.error
-    support.check("exit code" in session().worker.error, f"crash: {session().worker.error}")
-    program.find_cached(refresh=True)
+    support.check("SIGSEGV" in session().worker.error, f"crash: {session().worker.error}")
     before = submitted()
     bpy.data.objects["Cube"].location.x += .5
     yield lambda: finished(before) and not session().worker.error
     support.check(True, "the next edit renders again")
     worker = session().worker
+    print("latencies:", [round(t, 3) for t in worker.latencies], flush=True)
     space.shading.type = "SOLID"
     yield lambda: True
     yield lambda: not worker._thread.is_alive() or True

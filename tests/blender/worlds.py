@@ -221,4 +221,51 @@ def sky():
     support.check(30 < total < 200, f"irradiance {total:.1f} W/m2")
 
 
-support.run((pictures, textures, depth_of_field, transparent_film, sky))
+def baked():
+    """Nodes without an equivalent, after baking, look as in Cycles; before, a message names them."""
+    def cells(tree):
+        voronoi = tree.nodes.new("ShaderNodeTexVoronoi")
+        voronoi.inputs["Scale"].default_value = 4.0
+        return voronoi.outputs["Color"]
+    plane_with(cells)
+    tree = bpy.data.materials["Textured"].node_tree
+    ob = next(o for o in bpy.data.objects if o.type == "MESH")
+    for other in bpy.context.selected_objects:
+        other.select_set(False)
+    ob.select_set(True)
+    bpy.context.view_layer.objects.active = ob
+    count = len(tree.nodes), len(bpy.data.objects), len(bpy.data.meshes)
+    support.check(bpy.ops.object.oriel_bake(size=256) == {"FINISHED"}, "it is baked")
+    after = len(tree.nodes) - 1, len(bpy.data.objects), len(bpy.data.meshes)
+    support.check(count == after, f"only the image is added: {count}, {after}")
+    kinds = {link.to_node.type for node in tree.nodes if node.type == "TEX_VORONOI"
+             for link in node.outputs["Color"].links}
+    support.check(kinds == {"BSDF_DIFFUSE"}, f"the nodes stay: {kinds}")
+    same("baked voronoi", .03, 64)
+
+
+def place():
+    """The sun of Berlin on 21 June: at true noon it is 90 - 52.5 + 23.4 degrees high, in the south."""
+    scene = support.empty_scene(8, 8)
+    scene.render.engine = "ORIEL"
+    bpy.ops.world.oriel_add_sky()
+    node = next(n for n in scene.world.node_tree.nodes if n.type == "TEX_SKY")
+    settings = scene.world.oriel
+    settings.latitude, settings.longitude, settings.zone = 52.5, 13.4, 2.0
+    settings.year, settings.month, settings.day = 2026, 6, 21
+    # 15 degrees of longitude are an hour; the equation of time is -1.8 minutes on that day.
+    settings.hour = 12 + 2 - 13.4 / 15 + 1.8 / 60
+    settings.use_place = True
+    height, turn = math.degrees(node.sun_elevation), math.degrees(node.sun_rotation)
+    support.check(abs(height - (90 - 52.5 + 23.44)) < .1, f"elevation {height:.2f}")
+    support.check(abs(turn - 180) < .5, f"azimuth {turn:.2f}")
+    settings.north = 30.0
+    turned = math.degrees(node.sun_rotation)
+    support.check(abs(turned - turn - 30) < .01, f"north turns the sun clockwise: {turned:.2f}")
+    settings.hour = 8.0
+    support.check(60 < math.degrees(node.sun_rotation) - 30 < 100, "the sun is in the east at 8")
+    settings.month, settings.day = 2, 31
+    support.check("clockwise" in settings.shown, f"the last day of February: {settings.shown}")
+
+
+support.run((place, baked, pictures, textures, depth_of_field, transparent_film, sky))

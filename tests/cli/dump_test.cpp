@@ -107,5 +107,29 @@ TEST_F(SceneDumpTest, InvalidUtf8NamesAreReplaced) {
   EXPECT_EQ(root["objects"].size(), 1u);
 }
 
+TEST_F(SceneDumpTest, FramesMoveInstances) {
+  const json root = dump(std::string(kScene) + R"(
+incremental instance "b" "square" material [ "red" ]
+  transform 1 0 0 0 0 1 0 0 0 0 1 0 -6 0 0 1 end instance
+render "root" "c_inst" "o"
+incremental instance "c_inst" "c" transform 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -7 1 end instance
+render "root" "c_inst" "o"
+)");
+  ASSERT_TRUE(root.is_object());
+  EXPECT_EQ(root["render"]["frames"], 3);
+  std::map<std::string, std::vector<float>> along;
+  for (const json& placed : root["instances"]) {
+    if (!placed.contains("motion")) continue;
+    const auto numbers = array<float>(placed["motion"]);
+    ASSERT_EQ(numbers.size(), 48u);
+    const std::size_t axis = placed["kind"] == "camera" ? 14 : 12;
+    for (std::size_t frame = 0; frame < 3; ++frame)
+      along[placed["name"]].push_back(numbers[16 * frame + axis]);
+  }
+  const std::map<std::string, std::vector<float>> expected = {{"b", {4, 6, 6}},
+                                                              {"c_inst", {9, 9, 7}}};
+  EXPECT_EQ(along, expected) << "instances without a change have no motion";
+}
+
 }  // namespace dump_test
 }  // namespace oriel

@@ -34,15 +34,21 @@ class EditTableScene : public LoopTest {
         "instance \"second_inst\" \"second\" end instance\n"
         "shader \"paint\" \"mia_material_x\" ( \"diffuse\" .6 .2 .2, \"reflectivity\" 0 )\n"
         "material \"side_mtl\" = \"paint\" end material\n"
+        "shader \"coat.001\" \"mia_material_x\" ( \"diffuse\" .5 .5 .2, \"reflectivity\" 0 )\n"
+        "material \"coat_mtl\" = \"coat.001\" end material\n"
         "material \"toned_mtl\" \"mib_illum_lambert\" ( \"diffuse\" = \"tone\" ) end material\n");
     insert("camera \"cam\"",
            "object \"side\" visible shadow trace group 1 -1 0 1 1 0 1 1 2 1 -1 2 v 0 v 1 v 2 v 3 "
            "p \"side_mtl\" 0 1 2 3 end group end object\n"
            "object \"step\" visible shadow trace group -1 0 .5 0 0 .5 0 1 .5 -1 1 .5 v 0 v 1 v 2 "
            "v 3 p \"toned_mtl\" 0 1 2 3 end group end object\n"
+           "object \"lid\" visible shadow trace group .2 -1 .5 1 -1 .5 1 0 .5 .2 0 .5 v 0 v 1 v 2 "
+           "v 3 p \"coat_mtl\" 0 1 2 3 end group end object\n"
+           "instance \"lid_inst\" \"lid\" end instance\n"
            "instance \"side_inst\" \"side\" end instance\n"
            "instance \"step_inst\" \"step\" end instance\n");
-    insert("\"cam_inst\" end instgroup", "\"second_inst\" \"side_inst\" \"step_inst\" ");
+    insert("\"cam_inst\" end instgroup",
+           "\"second_inst\" \"side_inst\" \"step_inst\" \"lid_inst\" ");
     write("scene.mi", scene);
   }
 };
@@ -95,6 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
         EditCase{"CutOut", "floor_mtl.cutout_opacity=.5", kEffectMaterials},
         EditCase{"NamedShader", "paint.diffuse=.1 .1 .9", kEffectMaterials},
         EditCase{"SharedShader", "tone.temperature=2000", kEffectMaterials},
+        EditCase{"DottedName", "coat.001.diffuse=.1 .9 .1", kEffectMaterials},
         EditCase{"Glow", "floor_mtl.additional_color=.3 .2 .1", kEffectMaterials},
         EditCase{"Glass", "paint.transparency=.7", kEffectMaterials},
         EditCase{"LightColour", "lamp.color=1 40 3", kEffectWorld},

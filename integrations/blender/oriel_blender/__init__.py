@@ -10,9 +10,9 @@ bl_info = {
     "category": "Render",
 }
 
-from . import engine, importer, native, panels, preferences, properties
+from . import bake, engine, importer, native, panels, preferences, properties, sun_position
 
-MODULES = (preferences, properties, native, engine, panels, importer)
+MODULES = (preferences, properties, native, engine, panels, sun_position, bake, importer)
 
 
 def register():

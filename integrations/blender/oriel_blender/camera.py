@@ -61,14 +61,19 @@ def lens_text(scene, camera_object, camera, to_world):
         else:
             text += "  lens " + mi.call("oriel_lens_panorama", projection=0, horizontal=360.0,
                                         vertical=180.0) + "\n"
+    bokeh = bokeh_call(camera_object, camera, to_world)
+    return text + (f"  lens {bokeh}\n" if bokeh else "")
+
+
+def bokeh_call(camera_object, camera, to_world):
+    """The lens shader of depth of field; None if it is off."""
     focus = depth_of_field(camera_object, camera, to_world)
-    if focus:
-        dof = camera.dof
-        blades = dof.aperture_blades if dof.aperture_blades >= 3 else 0
-        text += "  lens " + mi.call(
-            "mia_lens_bokeh", on=True, plane=focus[0], radius=focus[1], samples=1, bias=1.0,
-            blade_count=blades, blade_angle=dof.aperture_rotation / (2 * math.pi)) + "\n"
-    return text
+    if not focus:
+        return None
+    dof = camera.dof
+    blades = dof.aperture_blades if dof.aperture_blades >= 3 else 0
+    return mi.call("mia_lens_bokeh", on=True, plane=focus[0], radius=focus[1], samples=1, bias=1.0,
+                   blade_count=blades, blade_angle=dof.aperture_rotation / (2 * math.pi))
 
 
 def write(out, scene, camera_object, to_world, size, environment, options):

@@ -6,6 +6,7 @@ import numpy
 
 from . import camera, curves, images, lights, materials, meshes, mi, world
 
+MOTION_STEPS = 8  # of transforms that turn
 NARROW = .9999  # refl_gloss of a lobe of 0.16 degrees
 SURFACES = {"MESH", "CURVE", "SURFACE", "FONT", "META"}
 
@@ -51,7 +52,8 @@ class Exporter:
         self.known = {}            # key of geometry -> name and file of an earlier export
         self._objects = {}         # key of geometry -> element name
         self._motion = {}          # key of instance -> matrix at shutter close
-        self._motion_points = {}   # key of geometry -> displaced points
+        self._motion_points = {}   # key of geometry -> points at shutter close
+        self._middle_points = {}   # key of geometry -> points at the middle of the shutter
 
     def report(self, text):
         if text not in self._reported:
@@ -69,18 +71,36 @@ class Exporter:
         start = {"START": 0.0, "CENTER": -shutter / 2, "END": -shutter}.get(position, -shutter / 2)
         return start, start + shutter
 
-    def read_motion(self, time):
-        """Reads matrices and points at a time relative to the frame."""
+    def set_time(self, time):
+        """Moves to a time relative to the frame."""
         frame = self.scene.frame_current
         whole = int(numpy.floor(frame + time))
         self.frame_set(whole, frame + time - whole)
+        return frame
+
+    def read_motion(self, start, end):
+        """Reads matrices at shutter close, and points there and at the middle of the shutter."""
+        frame = self.set_time(end)
+        self.read_close()
+        if self._motion_points:
+            self.frame_set(frame, 0.0)
+            self.set_time((start + end) / 2)
+            self.read_points(self._middle_points)
+        self.frame_set(frame, 0.0)
+        self.set_time(start)
+
+    def read_points(self, found):
+        for instance in self.depsgraph.object_instances:
+            ob = instance.object
+            key = self.geometry_key(ob)
+            if ob.type == "MESH" and key not in found and self.deforms(ob):
+                found[key] = meshes.points_of(ob.data)
+
+    def read_close(self):
+        self.read_points(self._motion_points)
         for instance in self.depsgraph.object_instances:
             placed = Placed(instance)
             self._motion[placed.key] = placed.matrix
-            ob = instance.object
-            key = self.geometry_key(ob)
-            if ob.type == "MESH" and key not in self._motion_points and self.deforms(ob):
-                self._motion_points[key] = meshes.points_of(ob.data)
         camera_object = self.scene.camera
         if camera_object:
             self._motion["camera"] = numpy.array(camera_object.matrix_world, numpy.float64)
@@ -97,9 +117,7 @@ class Exporter:
         blur = self.motion_blur()
         frame = self.scene.frame_current
         if blur:
-            self.read_motion(blur[1])
-            whole = int(numpy.floor(frame + blur[0]))
-            self.frame_set(whole, frame + blur[0] - whole)
+            self.read_motion(*blur)
             self.scene = self.depsgraph.scene_eval
         try:
             environment = self.body(blur)
@@ -141,7 +159,7 @@ class Exporter:
                 f"  trace depth {depth} {depth} {2 * depth}\n  gamma 2.2\n  shadow segments\n"
                 f"  {mi.quoted('indirect')} {mi.quoted(settings.indirect)}\n")
         if blur:
-            text += "  shutter 0 1\n  motion on\n"
+            text += f"  shutter 0 1\n  motion on\n  motion steps {MOTION_STEPS}\n"
         return text + "end options\n"
 
     def camera(self, size, environment):
@@ -182,7 +200,8 @@ class Exporter:
         motion = self._motion.get(placed.key)
         if motion is not None and numpy.allclose(motion, placed.matrix):
             motion = None
-        written = lights.write(self.out, ob, ob.data, name, placed.matrix, motion, self.report)
+        written = lights.write(self.out, ob, ob.data, name, placed.matrix, motion, self.report,
+                               self.folder)
         group = getattr(ob.original, "lightgroup", "")
         if written and group:
             self.groups.setdefault(group, []).append(written)
@@ -243,16 +262,25 @@ class Exporter:
             data.labels = numpy.clip(data.labels, 0, len(ob.material_slots) - 1)
         else:
             data.labels = numpy.zeros_like(data.labels)
-        motion = self._motion_points.get(key[:-1])
-        if motion is not None:
-            motion = motion - data.points if motion.shape == data.points.shape else None
-            if motion is not None and not motion.any():
-                motion = None
+        motion = self.displacements(key[:-1], data.points)
         name = self.out.names.unique((ob.data.name if ob.data else ob.name) + ".mesh")
         path = self.meshes.add_mesh(name, data, motion)
         self.known[key] = name, path
         self.out.add(f"$include {mi.quoted(str(path))}\n")
         return name
+
+    def displacements(self, key, points):
+        """Motion of points until shutter close, by way of the middle if the path is bent; None if
+        they rest."""
+        close, middle = self._motion_points.get(key), self._middle_points.get(key)
+        if close is None or close.shape != points.shape:
+            return None
+        motion = close - points
+        if middle is not None and middle.shape == points.shape:
+            bent = middle - points
+            if numpy.abs(bent - motion / 2).max() > 1e-4 * max(numpy.abs(points).max(), 1e-6):
+                return numpy.hstack([bent, motion])
+        return motion if motion.any() else None
 
     def curves(self, ob, placed):
         arrays = curves.curves_arrays(ob.data)

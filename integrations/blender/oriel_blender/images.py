@@ -11,6 +11,8 @@ from . import mi, versions
 READABLE = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr", ".tga", ".bmp", ".webp", ".jp2",
             ".dpx"}
 
+MAX_TILES = 100
+
 
 class Images:
     """Texture elements of one scene, one for each image and reading."""
@@ -21,33 +23,43 @@ class Images:
         self.report = report
         self._textures = {}
 
-    def texture(self, image, material, node, vector=False):
+    def tiles(self, image):
+        """Numbers of the UDIM tiles; [None] of an image without tiles."""
+        if image is None or image.source != "TILED":
+            return [None]
+        return sorted(tile.number for tile in image.tiles)[:MAX_TILES]
+
+    def texture(self, image, material, node, vector=False, tile=None):
         """The name of the texture element, or None if the image cannot be read."""
         if image is None:
             self.report(f'material "{material}": node "{node}" has no image')
             return None
         space = image.colorspace_settings.name
         plain = vector or space in versions.linear_spaces()
-        key = image.name_full, plain
+        key = image.name_full, plain, tile
         if key not in self._textures:
-            path = self.path_of(image, material, node)
+            path = self.path_of(image, material, node, tile)
             name = None
             if path:
                 if space not in versions.linear_spaces() | {"sRGB"}:
                     self.report(f'image "{image.name}": the colour space {space} is read as sRGB')
-                name = self.out.names.unique(image.name + (".data" if plain else ""))
+                suffix = f".{tile}" if tile else ""
+                name = self.out.names.unique(image.name + suffix + (".data" if plain else ""))
                 # Values of a vector texture are not gamma corrected.
                 kind = "vector" if plain else "color"
                 self.out.add(f"{kind} texture {mi.quoted(name)} {mi.quoted(path)}\n")
             self._textures[key] = name
         return self._textures[key]
 
-    def path_of(self, image, material, node):
-        if image.source == "TILED":
+    def path_of(self, image, material, node, tile):
+        if image.source == "TILED" and tile is None:
+            tile = 1001
             self.report(f'material "{material}": node "{node}": only the first tile of '
                         f'"{image.name}" is used')
         path = bpy.path.abspath(image.filepath, library=image.library)
-        path = path.replace("<UDIM>", "1001")
+        if tile:
+            u, v = (tile - 1001) % 10, (tile - 1001) // 10
+            path = path.replace("<UDIM>", str(tile)).replace("<UVTILE>", f"u{u + 1}_v{v + 1}")
         unchanged = image.source in {"FILE", "TILED"} and not image.packed_file and not image.is_dirty
         if unchanged and os.path.splitext(path)[1].lower() in READABLE and os.path.isfile(path):
             return os.path.abspath(path)
@@ -55,6 +67,10 @@ class Images:
                 not image.packed_file:
             self.report(f'material "{material}": node "{node}": the file of image "{image.name}" '
                         f"is missing: {path}")
+            return None
+        if image.source == "TILED":
+            self.report(f'material "{material}": node "{node}": tile {tile} of "{image.name}" is '
+                        f"missing, or is packed into the file: {path}")
             return None
         return self.save(image)
 

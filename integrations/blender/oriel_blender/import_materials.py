@@ -4,7 +4,7 @@ import os
 
 import bpy
 
-from . import native
+from . import microfacets, native, versions
 
 NATIVE_OUTPUT = "Oriel Output"
 MATERIALS = {"mia_material", "mia_material_x", "mia_material_x_passes"}
@@ -74,9 +74,13 @@ class MaterialReader:
         if transparency > .5 and not metallic:
             base = "refr_color"
         default = (.5, .5, .5) if base == "diffuse" else (1, 1, 1)
-        self.colour(material, tree, node, parameters.get(base, default), "Base Color")
+        roughness = roughness_of(get("refl_gloss", 1.0))
+        colour = parameters.get(base, default)
+        if base == "diffuse" and isinstance(colour, list) and not versions.principled_is_layered(node):
+            colour = [min(c / microfacets.diffuse_albedo(roughness), 1.0) for c in colour]
+        self.colour(material, tree, node, colour, "Base Color")
         set_value(node, metallic, "Metallic")
-        set_value(node, roughness_of(get("refl_gloss", 1.0)), "Roughness")
+        set_value(node, roughness, "Roughness")
         set_value(node, get("refr_ior", 1.4), "IOR")
         set_value(node, transparency, "Transmission Weight", "Transmission")
         fresnel = parameters.get("brdf_fresnel", False) is True
@@ -92,7 +96,7 @@ class MaterialReader:
         else:
             set_value(node, number(cutout, 1.0), "Alpha")
         if transparency or parameters.get("cutout_opacity", 1.0) != 1.0:
-            material.blend_method = "HASHED" if hasattr(material, "blend_method") else None
+            versions.show_alpha(material)
         if parameters.get("bump") or parameters.get("overall_bump"):
             self.report(f'material "{material.name}": bumps are kept in native nodes only')
         return None

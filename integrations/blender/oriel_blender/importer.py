@@ -17,6 +17,12 @@ def matrix_of(rows):
     return Matrix([rows[0:4], rows[4:8], rows[8:12], rows[12:16]]).transposed()
 
 
+def sheared(matrix, parts):
+    """Whether a matrix differs from the product of its location, rotation and scale."""
+    size = max(abs(v) for row in matrix for v in row) or 1.0
+    return any(abs(matrix[r][c] - parts[r][c]) > 1e-4 * size for r in range(3) for c in range(4))
+
+
 class SceneReader:
     """Builds Blender data from a dump."""
 
@@ -59,6 +65,8 @@ class SceneReader:
             ob.matrix_world = self._upright @ matrix_of(placed["matrix"])
             if placed["kind"] == "light":
                 import_lights.orient(ob, self.lights[placed["element"]])
+            if "motion" in placed:
+                self.animate(ob, placed)
             if placed["kind"] == "camera":
                 cameras[placed["name"]] = ob, self.cameras[placed["element"]]
             if placed["kind"] == "object":
@@ -82,7 +90,33 @@ class SceneReader:
         frames = int(render.get("frames", 1))
         if frames > 1:
             scene.frame_start, scene.frame_end = 1, frames
-            self.report(f"the scene has {frames} frames; the last one is imported")
+            scene.frame_set(frames)
+            self.report(f"the scene has {frames} frames; the placements of all of them are "
+                        "imported, everything else is that of the last one")
+
+    def animate(self, ob, placed):
+        """Key frames of location, rotation and scale; one for each frame of the scene."""
+        rows = self.dump.floats(placed["motion"], 16).tolist()
+        # Lights shine along another axis, so they have a turn of their own.
+        turn = (self._upright @ matrix_of(placed["matrix"])).inverted_safe() @ ob.matrix_world
+        poses = [self._upright @ matrix_of(row) @ turn for row in rows]
+        parts = [pose.decompose() for pose in poses]
+        ob.rotation_mode = "QUATERNION"
+        for i in range(1, len(parts)):  # the shorter way between two frames
+            if parts[i][1].dot(parts[i - 1][1]) < 0:
+                parts[i][1].negate()
+        frames = numpy.arange(1, len(parts) + 1)
+        for path, part in (("location", 0), ("rotation_quaternion", 1), ("scale", 2)):
+            for index in range(len(parts[0][part])):
+                curve = versions.new_curve(ob, path, index)
+                curve.keyframe_points.add(len(parts))
+                points = numpy.stack([frames, [p[part][index] for p in parts]], axis=1)
+                curve.keyframe_points.foreach_set("co", points.ravel())
+                for key in curve.keyframe_points:
+                    key.interpolation = "LINEAR"
+                curve.update()
+        if any(sheared(pose, Matrix.LocRotScale(*part)) for pose, part in zip(poses, parts)):
+            self.report(f'object "{ob.name}": its motion shears, which key frames cannot')
 
     # Elements ---------------------------------------------------------------------------------
     def make_object(self, placed):
@@ -100,17 +134,13 @@ class SceneReader:
         count = len(triangles) // 3
         mesh.vertices.add(len(points))
         mesh.vertices.foreach_set("co", points.ravel())
-        mesh.loops.add(3 * count)
-        mesh.loops.foreach_set("vertex_index", triangles)
-        mesh.polygons.add(count)
-        mesh.polygons.foreach_set("loop_start", numpy.arange(0, 3 * count, 3, dtype=numpy.int32))
-        mesh.polygons.foreach_set("loop_total", numpy.full(count, 3, numpy.int32))
+        versions.add_triangles(mesh, triangles[:3 * count])
         mesh.polygons.foreach_set("use_smooth", numpy.ones(count, bool))
         for i, place in enumerate(source.get("uvs", ())):
             layer = mesh.uv_layers.new(name=f"UV{i}" if i else "UVMap")
             if layer is not None:
                 uv = self.dump.floats(place)[:, :2][triangles]
-                layer.data.foreach_set("uv", numpy.ascontiguousarray(uv).ravel())
+                versions.set_uv(layer, uv)
         self.slots(mesh, source, count)
         mesh.update(calc_edges=True)
         if "normals" in source:

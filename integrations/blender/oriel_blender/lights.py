@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Lights, with the units of Blender: watts, and W/m2 of suns."""
+import hashlib
 import math
+import os
 
 from . import camera, mi, versions
 
+# Visibility flags that lights of the program do not have.
+RAYS = {"visible_diffuse": "diffuse surfaces", "visible_glossy": "reflections",
+        "visible_transmission": "refractions"}
 LUMENS_OF_WATT = 177.83  # of IES profiles in Cycles: the luminous efficacy of its white light
 SUN_DISTANCE = 1e5  # scene units; a scene of 100 units sees the disc under 0.06 degrees of parallax
 
@@ -79,11 +84,17 @@ def area_size(light, matrix):
     return width, height, area, scale
 
 
-def write(out, ob, light, name, matrix, motion, report):
-    """Writes a light and its instance; returns the name of the instance, or None."""
+def write(out, ob, light, name, matrix, motion, report, folder):
+    """Writes a light and its instance; returns the name of the instance, or None.
+
+    folder: of files that the light needs.
+    """
+    for kind, text in RAYS.items():
+        if not getattr(ob, kind, True):
+            report(f'light "{light.name}": {text} see it although its visibility is off')
     factor, profile = node_factor(light, report)
     element = out.names.unique(name + ".light")
-    unit, body = matrix, None
+    unit = matrix
     if light.type == "SUN":
         body = sun(light, factor)
     elif light.type == "AREA":
@@ -93,8 +104,9 @@ def write(out, ob, light, name, matrix, motion, report):
             body = area(light, matrix, factor, getattr(ob, "visible_camera", True), report)
             unit = camera.unscaled(matrix)
     else:
-        body = point(out, light, factor, profile, getattr(ob, "visible_camera", True), report)
-    out.add(f"light {mi.quoted(element)}\n{body}end light\n")
+        body = point(out, light, factor, profile, getattr(ob, "visible_camera", True), report,
+                     folder)
+    out.light(element, *body)
     instance = out.names.unique(name)
     extra = mi.transform(motion, "motion transform") or "" if motion is not None else ""
     return instance if out.instance(instance, element, unit, extra) else None
@@ -111,13 +123,13 @@ def sun(light, factor):
     if angle < 1e-4 or max(irradiance) <= 0:
         shader = mi.call("mib_light_infinite", color=tuple(c / math.pi for c in irradiance),
                          shadow=versions.light_casts_shadow(light))
-        return f"  {shader}\n  direction 0 0 -1\n"
+        return shader, "  direction 0 0 -1\n"
     # physical_light has 4 times the intensity along the normal, which is E D^2.
     shader = mi.call("physical_light",
                      color=tuple(4 * c * SUN_DISTANCE ** 2 for c in irradiance))
     radius = SUN_DISTANCE * math.tan(min(angle, 1.4))
-    return (f"  {shader}\n  origin 0 0 {mi.number(SUN_DISTANCE)}\n  direction 0 0 -1\n"
-            f"  disc 0 0 -1 {mi.number(radius)} visible off\n")
+    return shader, (f"  origin 0 0 {mi.number(SUN_DISTANCE)}\n  direction 0 0 -1\n"
+                    f"  disc 0 0 -1 {mi.number(radius)} visible off\n")
 
 
 def area(light, matrix, factor, visible, report):
@@ -135,10 +147,10 @@ def area(light, matrix, factor, visible, report):
         shape = f"disc 0 0 -1 {mi.number(math.sqrt(width * height) / 2)}"
     else:
         shape = f"rectangle {mi.number(width)} 0 0 0 {mi.number(height)} 0"
-    return f"  {shader}\n  origin 0 0 0\n  direction 0 0 -1\n  {shape} visible {seen}\n"
+    return shader, f"  origin 0 0 0\n  direction 0 0 -1\n  {shape} visible {seen}\n"
 
 
-def point(out, light, factor, profile, visible, report):
+def point(out, light, factor, profile, visible, report, folder):
     """A point or spot light has P / (4 pi) W/sr; physical_light has 4 times the intensity."""
     power = tuple(c / math.pi for c in product(colour(light, 1.0), factor))
     parameters = {"color": power}
@@ -150,17 +162,29 @@ def point(out, light, factor, profile, visible, report):
         text = f"  direction 0 0 -1\n  spread {mi.number(math.cos(half))}\n"
     shader = mi.call_of("physical_light", parameters)
     if profile is not None:
-        shader, text = photometric(out, light, power, profile, report), ""
+        shader, text = photometric(out, light, power, profile, report, folder), ""
     if light.shadow_soft_size > 0 and profile is None:
         text += f"  sphere {mi.number(light.shadow_soft_size)} visible {'on' if visible else 'off'}\n"
-    return f"  {shader}\n  origin 0 0 0\n{text}"
+    return shader, f"  origin 0 0 0\n{text}"
 
 
-def photometric(out, light, power, profile, report):
+def write_profile(folder, text):
+    """A file of an IES text, once for each content."""
+    digest = hashlib.blake2b(text.encode(), digest_size=8).hexdigest()
+    path = os.path.join(str(folder), f"profile-{digest}.ies")
+    if not os.path.exists(path):
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+    return path
+
+
+def photometric(out, light, power, profile, report, folder):
     import bpy
     path = bpy.path.abspath(profile.filepath) if profile.mode == "EXTERNAL" else ""
-    if not path:
-        report(f'light "{light.name}": IES texts inside the file are unsupported and ignored')
+    if profile.mode == "INTERNAL" and profile.ies is not None:
+        path = write_profile(folder, profile.ies.as_string())
+    if not path or not os.path.isfile(path):
+        report(f'light "{light.name}": its IES file is missing: {path}')
         return mi.call("physical_light", color=power)
     name = out.names.unique(light.name + ".ies")
     out.add(f"lightprofile {mi.quoted(name)}\n  format ies\n  file {mi.quoted(path)}\n"
@@ -174,5 +198,5 @@ def photometric(out, light, power, profile, report):
 def portal(light, matrix):
     width, height, _area, scale = area_size(light, matrix)
     shader = mi.call("mia_portal_light", on=True, reverse=True, visible=False)
-    return (f"  {shader}\n  origin 0 0 0\n  rectangle {mi.number(width * scale[0])} 0 0 "
-            f"0 {mi.number(height * scale[1])} 0\n")
+    return shader, (f"  origin 0 0 0\n  rectangle {mi.number(width * scale[0])} 0 0 "
+                    f"0 {mi.number(height * scale[1])} 0\n")

@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Materials: surface nodes of Blender as mia_material_x."""
-import functools
 import math
 
-import numpy
-
-from . import mi, nodes, versions, world as links
+from . import layers, mi, microfacets, nodes, versions, world as links
 
 MIN_ALPHA = 1e-5
 
@@ -21,50 +18,24 @@ def gloss_of_roughness(roughness, sharpest=1.0):
     return min(max(-(math.log2(alpha) + 1.5) / 7, 0.0), sharpest)
 
 
-@functools.lru_cache(maxsize=64)
-def lost_energy(alpha):
-    """Share of light that GGX loses by single scattering: 1 - albedo, averaged over cosine.
-
-    Source: Walter et al. 2007 with the height-correlated masking of Heitz 2014, integrated over
-    visible normals (Heitz 2018) by 32 x 256 points.
-    """
-    if alpha < 1e-3:
-        return 0.0
-    mu = numpy.sqrt((numpy.arange(32) + .5) / 32)[:, None]
-    u = ((numpy.arange(256) + .5) / 256)[None, :]
-    v = (numpy.arange(256) * 0.6180339887498949 % 1)[None, :]
-    sine = numpy.sqrt(1 - mu * mu)
-    vx, vz = alpha * sine, mu + 0 * u
-    length = numpy.sqrt(vx * vx + vz * vz)
-    vx, vz = vx / length, vz / length
-    r, phi = numpy.sqrt(u), 2 * numpy.pi * v
-    t1, t2 = r * numpy.cos(phi), r * numpy.sin(phi)
-    s = (1 + vz) / 2
-    t2 = (1 - s) * numpy.sqrt(1 - t1 * t1) + s * t2
-    # Basis: T1 = (0, 1, 0), T2 = cross(V, T1) = (-vz, 0, vx).
-    t3 = numpy.sqrt(numpy.maximum(0, 1 - t1 * t1 - t2 * t2))
-    nx, ny, nz = -vz * t2 + vx * t3, t1, vx * t2 + vz * t3
-    hx, hy, hz = alpha * nx, alpha * ny, numpy.maximum(nz, 1e-9)
-    norm = numpy.sqrt(hx * hx + hy * hy + hz * hz)
-    hx, hz = hx / norm, hz / norm
-    cosine = 2 * (sine * hx + mu * hz) * hz - mu
-    def masking(c):
-        c = numpy.clip(c, 1e-6, 1)
-        return (numpy.sqrt(1 + alpha * alpha * (1 / (c * c) - 1)) - 1) / 2
-    ratio = (1 + masking(mu)) / (1 + masking(mu) + masking(cosine))
-    return float(1 - numpy.where(cosine > 0, ratio, 0).mean())
-
-
 def single_scattering(value, roughness, f0):
     """Factor of the reflection for Cycles' GGX without multiple scattering."""
     if isinstance(roughness, mi.Connection) or isinstance(f0, mi.Connection):
         return value
-    lost = lost_energy(round(max(roughness, 0.0) ** 2, 4))
+    lost = microfacets.lost_energy(round(max(roughness, 0.0) ** 2, 4))
     return value / (1 + f0 * lost / (1 - lost))
 
 
 def f0_of_ior(ior):
     return ((ior - 1) / (ior + 1)) ** 2
+
+
+def retro_reflective(graph, colour, roughness):
+    """The Lambertian colour with the albedo of the diffuse lobe of Principled until 3.6."""
+    if isinstance(colour, mi.Connection) or isinstance(roughness, mi.Connection):
+        return colour
+    albedo = microfacets.diffuse_albedo(roughness)
+    return tuple(min(c * albedo, max(c, 1.0)) for c in graph.colour(colour))
 
 
 class Surface:
@@ -75,6 +46,7 @@ class Surface:
         self.shader = None      # connection to a shader that replaces the parameters
         self.opacity = 1.0      # cutout
         self.transmits = False
+        self.scattered = None   # connection to a shader whose light is added
 
 
 class Principled:
@@ -128,6 +100,7 @@ class MaterialWriter:
             return name, 0
         name = self.out.names.unique(material.name)
         graph = nodes.Graph(self.out, self.images, material.name, self.report, self.spaces)
+        volume = ""
         if not material.use_nodes or material.node_tree is None:
             surface = Surface(diffuse=tuple(material.diffuse_color)[:3], diffuse_weight=1.0,
                               reflectivity=0.0)
@@ -135,12 +108,15 @@ class MaterialWriter:
             output = self.output_of(material.node_tree)
             surface = self.surface(graph, output.inputs["Surface"]) if output else Surface()
             if output and output.inputs["Displacement"].is_linked:
-                self.report(f'material "{name}": displacement is unsupported and ignored')
+                layers.displacement(graph, output.inputs["Displacement"], material, surface,
+                                    self.bump)
             if output and output.inputs["Volume"].is_linked:
-                self.report(f'material "{name}": volumes are unsupported and ignored')
+                if not output.inputs["Surface"].is_linked:
+                    surface.opacity = 0.0
+                volume = layers.volume(graph, output.inputs["Volume"], surface)
         shader = self.shader_of(graph, surface)
         self.finish(name, "= " + mi.quoted(shader),
-                    surface.transmits or surface.opacity != 1.0)
+                    surface.transmits or surface.opacity != 1.0, volume)
         return name, graph.used
 
     @staticmethod
@@ -154,8 +130,8 @@ class MaterialWriter:
                 return node
         return links.output_node(tree, "OUTPUT_MATERIAL")
 
-    def finish(self, name, surface, transmits):
-        text = f"material {mi.quoted(name)}\n  {surface}\n"
+    def finish(self, name, surface, transmits, volume=""):
+        text = f"material {mi.quoted(name)}\n  {surface}\n{volume}"
         if transmits and surface.startswith("="):
             text += f"  shadow {surface}\n  photon {surface}\n"
         self.out.add(text + "end material\n")
@@ -167,7 +143,8 @@ class MaterialWriter:
         parameters = {"diffuse_weight": 1.0, "reflectivity": 0.0, **surface.parameters}
         if surface.opacity != 1.0:
             parameters["cutout_opacity"] = surface.opacity
-        return self.out.shader_of(graph.material + ".surface", "mia_material_x", parameters)
+        shader = self.out.shader_of(graph.material + ".surface", "mia_material_x", parameters)
+        return layers.add_scattered(graph, surface, shader)
 
     def surface(self, graph, socket):
         groups = list(graph._groups)
@@ -231,11 +208,12 @@ class MaterialWriter:
             graph.unsupported(node, "is read only with an image and ignored")
             return
         texture = graph.images.texture(image.image, graph.material, image.name)
-        strength = graph.value(node.inputs["Strength"])
-        distance = graph.value(node.inputs["Distance"])
+        displaces = node.type == "DISPLACEMENT"
+        strength = 1.0 if displaces else graph.value(node.inputs["Strength"])
+        distance = graph.value(node.inputs["Scale" if displaces else "Distance"])
         if texture is None or any(isinstance(v, mi.Connection) for v in (strength, distance)):
             return
-        sign = -1.0 if node.invert else 1.0
+        sign = -1.0 if getattr(node, "invert", False) else 1.0
         graph.space("uv", "")
         graph.unsupported(node, "is approximated: its distance is relative to the size of the image")
         parameters["bump"] = graph.add("bump", "mib_bump_map2", factor=sign * strength * distance,
@@ -256,11 +234,19 @@ class MaterialWriter:
         p = {"brdf_fresnel": False, "brdf_curve": 5.0, "brdf_90_degree_refl": 1.0,
              "reflectivity": 1.0, "refr_ior": max(ior, 1.0),
              "refl_gloss": graph.curve(roughness, self.gloss)}
-        p["diffuse"] = base
+        p["diffuse"] = base if layered else retro_reflective(graph, base, roughness)
         p["diffuse_weight"] = graph.affine(metallic, 1.0, 0.0)
         self.reflection(graph, p, metallic, f0, tint, base)
         if getattr(node, "distribution", "") == "GGX" and not layered:
             p["reflectivity"] = single_scattering(1.0, roughness, p["brdf_0_degree_refl"])
+        if not any(isinstance(v, mi.Connection) for v in (roughness, p["brdf_0_degree_refl"])):
+            single = getattr(node, "distribution", "") == "GGX"
+            bent = ior if layered else (1 + math.sqrt(f0)) / (1 - math.sqrt(min(f0, .99)))
+            p["brdf_0_degree_refl"], p["brdf_90_degree_refl"], p["brdf_curve"] = \
+                microfacets.reflectance_curve(round(roughness ** 2, 4),
+                                              round(p["brdf_0_degree_refl"], 5),
+                                              round(max(bent, 1.05), 4), single)
+            p["reflectivity"] = 1.0
         if f0 <= 0 and metallic == 0.0:
             p["reflectivity"] = 0.0
         metal = not isinstance(metallic, mi.Connection) and metallic >= 1
@@ -276,10 +262,9 @@ class MaterialWriter:
         if isinstance(emission, mi.Connection) or max(emission) > 0:
             surface.parameters["additional_color"] = emission
         surface.opacity = graph.scalar(read.get("Alpha", default=1.0))
-        for name in ("Subsurface Weight", "Subsurface", "Sheen Weight", "Sheen"):
-            if read.socket(name) and (read.socket(name).is_linked or read.number(name) > 0):
-                graph.unsupported(node, f'has "{name}", which is unsupported and ignored')
+        layers.subsurface(graph, read, surface, layered)
         self.coat(graph, read, surface, layered)
+        layers.sheen(graph, read, base, surface, layered, self.shader_of)
         return surface
 
     @staticmethod

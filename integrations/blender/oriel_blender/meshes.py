@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Meshes as binary triangle lists, one file each. The name of a file is the hash of its content, so
-an unchanged mesh is not written again."""
+"""Meshes as binary triangle lists, one file each. The name of a file is the hash of what determines
+its content, so an unchanged mesh is not written again."""
 import hashlib
 import os
 import pathlib
@@ -13,13 +13,22 @@ from . import mi, versions
 class MeshData:
     """Evaluated arrays of one mesh: corners, normals, coordinates and triangles."""
 
-    def __init__(self, points, corner_points, normals, uvs, triangles, labels):
+    def __init__(self, points, corner_points, normals, uvs, triangles, labels, smooth=None):
         self.points = points                  # float32 (points, 3)
         self.corner_points = corner_points    # int32 (corners,)
         self.normals = normals                # float32 (corners, 3)
         self.uvs = uvs                        # list of float32 (corners, 2 or 3)
         self.triangles = triangles            # int32 (triangles, 3), corners
         self.labels = labels                  # int32 (triangles,), material slots
+        # Smooth flags of the faces if they and the points determine the normals, else None. The
+        # last bits of normals of vertices depend on the number of Blender's threads.
+        self.smooth = smooth
+
+    def inputs(self, motion):
+        """Arrays that determine the file."""
+        first = self.normals if self.smooth is None else self.smooth
+        return [self.points, self.corner_points, first, *self.uvs, self.triangles, self.labels,
+                *([] if motion is None else [motion])]
 
 
 def colour_layer(mesh, name):
@@ -62,7 +71,9 @@ def read(mesh, spaces=()):
     mesh.polygons.foreach_get("material_index", slots)
     labels = slots[versions.triangle_polygons(mesh)]
     uvs = [space_values(mesh, kind, name) for kind, name in spaces]
-    return MeshData(points_of(mesh), corners, normals, uvs, triangles.reshape(-1, 3), labels)
+    smooth = versions.smooth_faces(mesh) if versions.has_vertex_normals(mesh) else None
+    return MeshData(points_of(mesh), corners, normals, uvs, triangles.reshape(-1, 3), labels,
+                    smooth)
 
 
 def space_values(mesh, kind, name):
@@ -105,7 +116,7 @@ def trilist(data, motion=None):
     if data.uvs:
         fields.append("t " + " ".join(str(uv.shape[1]) for uv in data.uvs))
     if motion is not None:
-        fields.append("m 1")
+        fields.append(f"m {motion.shape[1] // 3}")
     vertices = numpy.concatenate(columns, axis=1).astype(">f4")
     corners = index[data.triangles].astype(">u4")
     text = (f"trilist vertex {len(vertices)} {' '.join(fields)}\n"
@@ -125,12 +136,17 @@ class MeshFolder:
 
     def store(self, chunks, kind="mesh"):
         """Writes the chunks unless a file of that content exists; returns its path."""
+        return self._store(chunks, lambda: chunks, kind)
+
+    def _store(self, inputs, chunks_of, kind):
+        """Writes chunks_of() unless a file of these inputs exists; returns its path."""
         digest = hashlib.blake2b(digest_size=16)
-        for chunk in chunks:
-            digest.update(chunk)
+        for data in inputs:
+            digest.update(data)
         path = self.folder / f"{kind}-{digest.hexdigest()}.mi"
         self._used.add(path)
         if not path.exists():
+            chunks = chunks_of()
             part = path.with_suffix(".part")
             with open(part, "wb") as file:
                 file.writelines(chunks)
@@ -139,10 +155,16 @@ class MeshFolder:
         return path
 
     def add_mesh(self, name, data, motion=None):
-        head, vertices, corners, labels = trilist(data, motion)
-        start = f"object {mi.quoted(name)} visible on shadow on trace on tagged on\n{head}  scalar `"
-        return self.store([start.encode(), vertices, b"`\n  integer `", corners, b"`\n  integer `",
-                           labels, b"`\nend trilist\nend object\n"])
+        def chunks():
+            head, vertices, corners, labels = trilist(data, motion)
+            start = (f"object {mi.quoted(name)} visible on shadow on trace on tagged on\n{head}"
+                     "  scalar `")
+            return [start.encode(), vertices, b"`\n  integer `", corners, b"`\n  integer `",
+                    labels, b"`\nend trilist\nend object\n"]
+        arrays = data.inputs(motion)
+        shapes = repr([(a.shape, a.dtype.str) for a in arrays])
+        inputs = [f"{name}\0{shapes}".encode(), *(numpy.ascontiguousarray(a) for a in arrays)]
+        return self._store(inputs, chunks, "mesh")
 
     def keep(self, path):
         """Marks a file of an earlier export as used."""

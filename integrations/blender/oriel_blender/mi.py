@@ -47,6 +47,12 @@ def value_text(value):
     return numbers(value)
 
 
+class Call(str):
+    """The text of a shader call."""
+    shader = ""
+    parameters = {}
+
+
 def call(shader, **parameters):
     """A shader call; parameters whose value is Ellipsis are omitted."""
     return call_of(shader, parameters)
@@ -55,7 +61,68 @@ def call(shader, **parameters):
 def call_of(shader, parameters):
     inside = ", ".join(f"{quoted(name)} {value_text(value)}"
                        for name, value in parameters.items() if value is not ...)
-    return f"{quoted(shader)} ( {inside} )" if inside else f"{quoted(shader)} ()"
+    result = Call(f"{quoted(shader)} ( {inside} )" if inside else f"{quoted(shader)} ()")
+    result.shader, result.parameters = shader, parameters
+    return result
+
+
+def edit_value(value):
+    """The value in an edit of the program; None if such a value cannot be edited."""
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    if isinstance(value, (int, float)):
+        return number(value)
+    if isinstance(value, tuple):
+        return numbers(value)
+    return None
+
+
+class Part(str):
+    """Text of an element whose values can be edited while the program renders it.
+
+    frame: everything but the values; parts with equal frames differ in values only.
+    values: edit target (ELEMENT.PARAMETER) -> value as in an edit.
+    """
+    frame = None
+    values = {}
+
+
+def part(text, frame, name, values):
+    """A part. values: parameter -> value text. Edits cannot name elements with an equals sign."""
+    result = Part(text)
+    if "=" not in name and not any(ord(c) < 32 for c in name):
+        result.frame = frame
+        result.values = {f"{name}.{key}": value for key, value in values.items()}
+    return result
+
+
+def call_values(shader_call):
+    """The parameters of a call that can be edited, and the frame of the others."""
+    values, fixed = {}, [shader_call.shader]
+    for key, value in shader_call.parameters.items():
+        text = edit_value(value)
+        if text is None:
+            fixed.append((key, "" if value is ... else value_text(value)))
+        else:
+            values[key] = text
+            fixed.append((key, None, len(value) if isinstance(value, tuple) else 0))
+    return values, tuple(fixed)
+
+
+def edits_between(base, parts):
+    """Edits that turn the parts of a scene into others; None if they differ in more than values."""
+    if len(base) != len(parts):
+        return None
+    edits = []
+    for old, new in zip(base, parts):
+        if old == new:
+            continue
+        frame = getattr(old, "frame", None)
+        if frame is None or frame != getattr(new, "frame", None):
+            return None
+        edits += [f"{target}={value}" for target, value in new.values.items()
+                  if old.values[target] != value]
+    return edits
 
 
 def inverse_rows(to_world):
@@ -74,6 +141,16 @@ def transform(to_world, keyword="transform"):
     if keyword == "transform" and numpy.array_equal(rows, numpy.eye(4).ravel()):
         return ""
     return f"  {keyword} {numbers(rows)}\n"
+
+
+def instance_part(name, element, to_world, extra=""):
+    """The text of an instance; None if the matrix is singular."""
+    rows = inverse_rows(to_world)
+    if rows is None:
+        return None
+    text = (f"instance {quoted(name)} {quoted(element)}\n{transform(to_world)}{extra}"
+            "end instance\n")
+    return part(text, ("instance", name, element, extra), name, {"transform": numbers(rows)})
 
 
 class Names:
@@ -108,15 +185,23 @@ class SceneText:
 
     def shader_of(self, wish, shader, parameters):
         name = self.names.unique(wish)
-        self.add(f"shader {quoted(name)} {call_of(shader, parameters)}\n")
+        made = call_of(shader, parameters)
+        values, fixed = call_values(made)
+        self.add(part(f"shader {quoted(name)} {made}\n", ("shader", name, fixed), name, values))
         return Connection(name)
+
+    def light(self, name, shader_call, rest):
+        """Adds a light; rest: its other statements."""
+        values, fixed = call_values(shader_call)
+        self.add(part(f"light {quoted(name)}\n  {shader_call}\n{rest}end light\n",
+                      ("light", name, fixed, rest), name, values))
 
     def instance(self, name, element, to_world, extra=""):
         """Adds an instance to the root group. Returns False if the matrix is singular."""
-        placed = transform(to_world)
+        placed = instance_part(name, element, to_world, extra)
         if placed is None:
             return False
-        self.add(f"instance {quoted(name)} {quoted(element)}\n{placed}{extra}end instance\n")
+        self.add(placed)
         self.members.append(name)
         return True
 

@@ -62,6 +62,12 @@ class Graph:
                 return node, output
         return None
 
+    def baked(self, socket):
+        """The image that bake.py made for a linked input, as origin()."""
+        from . import bake
+        node = bake.find(socket) if socket is not None and socket.is_linked else None
+        return (node, node.outputs["Color"]) if node is not None and node.image else None
+
     def constant(self, socket):
         if not hasattr(socket, "default_value"):
             return 0.0
@@ -76,7 +82,7 @@ class Graph:
         """A number, a tuple of three numbers, or a connection."""
         groups = list(self._groups)
         try:
-            found = self.origin(socket)
+            found = self.baked(socket) or self.origin(socket)
             if found is None:
                 return self.constant(socket)
             node, output = found
@@ -222,22 +228,41 @@ class Graph:
                         transform=tuple(matrix.T.ravel()))
 
     def image(self, node, output):
-        texture = self.images.texture(node.image, self.material, node.name)
-        if texture is None:
+        tiles = [(tile, self.images.texture(node.image, self.material, node.name, tile=tile))
+                 for tile in self.images.tiles(node.image)]
+        tiles = [(tile, texture) for tile, texture in tiles if texture is not None]
+        if not tiles:
             return (1.0, 0.0, 1.0)
         if getattr(node, "projection", "FLAT") != "FLAT":
             self.unsupported(node, f"has the projection {node.projection}, which is read as flat")
         coordinate = self.coordinate(node.inputs["Vector"])
+        if tiles[0][0] is not None:
+            return self.tiled(node, output, tiles, coordinate)
         if node.extension == "REPEAT":
             coordinate = self.add("repeat", "mib_texture_remap", input=coordinate, torus_x=True,
                                   torus_y=True)
         elif node.extension != "CLIP":
             self.unsupported(node, f"has the extension {node.extension}, which is read as clip")
+        return self.look(node, output, tiles[0][1], coordinate)
+
+    def look(self, node, output, texture, coordinate):
         look = self.add(node.name, "mib_texture_lookup", tex=mi.Words(mi.quoted(texture)),
                         coord=coordinate)
         if output.identifier == "Alpha":
             return self.add("alpha", "mib_color_alpha", input=look, factor=1.0)
         return look
+
+    def tiled(self, node, output, tiles, coordinate):
+        """The sum of the tiles; each is black outside of its square."""
+        total = None
+        for tile, texture in tiles:
+            matrix = numpy.eye(4)
+            matrix[:2, 3] = -((tile - 1001) % 10), -((tile - 1001) // 10)
+            moved = self.add("tile", "mib_texture_remap", input=coordinate,
+                             transform=tuple(matrix.T.ravel()))
+            look = self.look(node, output, texture, moved)
+            total = look if total is None else self.mix("tiles", 2, 1.0, total, look)
+        return total
 
     def mix_rgb(self, node, output):
         if node.type == "MIX":  # from 3.4

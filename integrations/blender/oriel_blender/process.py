@@ -20,6 +20,11 @@ def kill_all():
         run.kill()
 
 
+def remember(run):
+    """The process is ended when Blender quits."""
+    _running.add(run)
+
+
 class RenderProcess:
     """`oriel render --json`. Messages arrive in a queue; a crash of it leaves Blender running."""
 
@@ -35,7 +40,7 @@ class RenderProcess:
             [*start, program, "render", *arguments, "--json"], cwd=folder, env=environment,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
             errors="replace", start_new_session=True)
-        _running.add(self)
+        remember(self)
         self._readers = [threading.Thread(target=self._read_events, daemon=True),
                          threading.Thread(target=self._read_errors, daemon=True)]
         for reader in self._readers:

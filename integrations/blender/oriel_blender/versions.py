@@ -15,6 +15,21 @@ def split_normals(mesh):
     return normals.reshape(-1, 3)
 
 
+def has_vertex_normals(mesh):
+    """Whether smooth faces have the normals of their vertices: neither sharp edges nor custom
+    normals."""
+    if hasattr(mesh, "normals_domain"):  # from 4.1
+        return mesh.normals_domain == "POINT"
+    return not mesh.use_auto_smooth
+
+
+def smooth_faces(mesh):
+    """Smooth flags of the faces, bool of shape (faces,)."""
+    flags = numpy.empty(len(mesh.polygons), bool)
+    mesh.polygons.foreach_get("use_smooth", flags)
+    return flags
+
+
 def uv_layer(layer):
     """Texture coordinates of the face corners, float32 of shape (corners, 2)."""
     uv = numpy.empty(len(layer.data) * 2, numpy.float32)
@@ -42,9 +57,54 @@ def set_corner_normals(mesh, normals):
     mesh.normals_split_custom_set(normals)
 
 
+def add_triangles(mesh, corners):
+    """Adds triangles to a mesh with vertices; corners: int32 (3 x triangles,)."""
+    count = len(corners) // 3
+    mesh.loops.add(3 * count)
+    mesh.loops.foreach_set("vertex_index", corners)
+    mesh.polygons.add(count)
+    mesh.polygons.foreach_set("loop_start", numpy.arange(0, 3 * count, 3, dtype=numpy.int32))
+    if not bpy.types.MeshPolygon.bl_rna.properties["loop_total"].is_readonly:  # until 3.5
+        mesh.polygons.foreach_set("loop_total", numpy.full(count, 3, numpy.int32))
+
+
+def set_uv(layer, uv):
+    """Sets texture coordinates of the face corners, float32 of shape (corners, 2)."""
+    values = numpy.ascontiguousarray(uv).ravel()
+    if hasattr(layer, "uv") and len(layer.uv) == len(layer.data):  # from 3.5
+        layer.uv.foreach_set("vector", values)
+    else:
+        layer.data.foreach_set("uv", values)
+
+
+def new_curve(ob, path, index):
+    """A new animation curve of an object."""
+    if ob.animation_data is None or ob.animation_data.action is None:
+        ob.animation_data_create()
+        ob.animation_data.action = bpy.data.actions.new(ob.name)
+    action = ob.animation_data.action
+    if hasattr(action, "fcurves"):  # until 4.5
+        return action.fcurves.new(path, index=index)
+    return action.fcurve_ensure_for_datablock(ob, path, index=index)
+
+
+def show_alpha(material):
+    """Shows transparency in the viewport of EEVEE; from 4.2 that is the default."""
+    if not hasattr(material, "surface_render_method") and hasattr(material, "blend_method"):
+        material.blend_method = "HASHED"
+
+
 def principled_is_layered(node):
     """Whether the layers of Principled BSDF weaken those below (from 4.0)."""
     return "Coat Weight" in node.inputs
+
+
+def displaces_vertices(material):
+    """Whether a material moves vertices; otherwise its displacement is bump."""
+    settings = getattr(material, "cycles", None)
+    method = getattr(material, "displacement_method", None) or \
+        getattr(settings, "displacement_method", "BUMP")  # of Cycles until 4.0
+    return method != "BUMP"
 
 
 def light_factor(light):

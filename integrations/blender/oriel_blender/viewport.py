@@ -1,25 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The rendered viewport: a worker per view restarts the program on changes.
+"""The rendered viewport: the main thread exports changes and draws the newest picture.
 
-The main thread only exports changes and draws the newest picture. Pictures of growing resolution
-are rendered by processes of their own, so neither a long render nor a crash stops Blender.
+Pictures are rendered by a process for each view, so neither a long render nor a crash stops
+Blender.
 """
 import os
 import shutil
 import tempfile
-import threading
-import time
 import weakref
 
 import numpy
 
-from . import camera, export, exr, meshes, mi, passes, process, program
-
-# Divisor of the resolution and samples of the stages; the last one has the samples of the scene.
-STAGES = ((4, 4), (2, 8), (1, None))
-POLL_SECONDS = 0.01
-PART_SECONDS = 0.5   # between looks for the picture in progress
-SETTLE_SECONDS = 0.05  # changes that follow each other faster start one render
+from . import camera, export, meshes, mi, program, viewport_worker
 
 SESSIONS = weakref.WeakSet()
 
@@ -27,7 +19,7 @@ SESSIONS = weakref.WeakSet()
 class ViewWindow:
     """The view of a region: matrix, window at distance 1 (or in scene units), size in pixels."""
 
-    def __init__(self, region, region_data):
+    def __init__(self, region, region_data, scene=None, space=None):
         p = numpy.array(region_data.window_matrix, numpy.float64)
         self.to_world = numpy.linalg.inv(numpy.array(region_data.view_matrix, numpy.float64))
         self.perspective = abs(p[3, 3]) < .5
@@ -35,145 +27,62 @@ class ViewWindow:
         sign, column = (1, 2) if self.perspective else (-1, 3)
         self.centre = sign * p[0, column] / p[0, 0], sign * p[1, column] / p[1, 1]
         self.size = region.width, region.height
+        self.lens, self.region = None, None
+        if scene is None:
+            return
+        camera_object = scene.camera if region_data.view_perspective == "CAMERA" else None
+        if camera_object is not None and camera_object.type == "CAMERA":
+            self.lens = camera.bokeh_call(camera_object, camera_object.data, self.to_world)
+            self.region = camera_region(scene, camera_object, p, self.size)
+        elif space is not None and space.use_render_border:
+            self.region = border_pixels(
+                (0, 0, *self.size), (space.render_border_min_x, space.render_border_min_y,
+                                     space.render_border_max_x, space.render_border_max_y),
+                self.size)
 
-    def key(self):
-        numbers = numpy.concatenate([self.to_world.ravel(), self.half, self.centre])
-        return tuple(numpy.round(numbers, 7)), self.size
-
-    def text(self, environment, divisor, names):
-        """Camera and instance; returns the text and the name of the instance."""
-        width, height = (max(n // divisor, 1) for n in self.size)
+    def parts(self, environment, names):
+        """Texts of the camera and its instance."""
+        width, height = self.size
         focal = "1" if self.perspective else "infinity"
         background = f"  environment = {mi.quoted(environment)}\n" if environment else ""
-        offset = [c / (2 * h) * n for c, h, n in zip(self.centre, self.half, (width, height))]
-        return (f"camera {mi.quoted(names[0])}\n{background}  focal {focal}\n"
-                f"  aperture {mi.number(2 * self.half[0])}\n"
-                f"  aspect {mi.number(self.half[0] / self.half[1])}\n"
-                f"  resolution {width} {height}\n  offset {mi.numbers(offset)}\nend camera\n"
-                f"instance {mi.quoted(names[1])} {mi.quoted(names[0])}\n"
-                f"{mi.transform(self.to_world)}end instance\n")
+        offset = [c / (2 * h) * n for c, h, n in zip(self.centre, self.half, self.size)]
+        values = {"aperture": mi.number(2 * self.half[0]),
+                  "aspect": mi.number(self.half[0] / self.half[1]),
+                  "resolution": f"{width} {height}", "offset": mi.numbers(offset)}
+        frame, lens = (names[0], focal, environment), ""
+        body = "".join(f"  {key} {value}\n" for key, value in values.items())
+        if self.lens:
+            parameters, fixed = mi.call_values(self.lens)
+            values.update(parameters)
+            frame, lens = (*frame, fixed), f"  lens {self.lens}\n"
+        text = (f"camera {mi.quoted(names[0])}\n{lens}{background}  focal {focal}\n{body}"
+                "end camera\n")
+        return [mi.part(text, frame, names[0], values),
+                mi.instance_part(names[1], names[0], self.to_world)]
 
 
-class Job:
-    """One state of scene and view."""
-
-    def __init__(self, body, window):
-        self.body, self.members, self.environment, self.samples, self.denoise, self.names = body
-        self.window = window
-
-    def scene(self, divisor):
-        camera_text = self.window.text(self.environment, divisor, self.names)
-        return self.body + camera_text + export.Exporter.ending(
-            [*self.members, self.names[1]], self.names[1])
-
-
-class Newest:
-    """A file that another process replaces."""
-
-    def __init__(self, path):
-        self.path = path
-        self._stamp = self._checked = 0
-        if os.path.exists(path):  # left by a process that was ended
-            os.unlink(path)
-
-    def changed(self):
-        now = time.monotonic()
-        if now - self._checked < PART_SECONDS:
-            return False
-        self._checked = now
-        try:
-            stamp = os.stat(self.path).st_mtime_ns
-        except OSError:
-            return False
-        if stamp == self._stamp:
-            return False
-        self._stamp = stamp
-        return True
+def camera_region(scene, camera_object, window_matrix, size):
+    """The border of the scene inside the frame of the camera, or None."""
+    render = scene.render
+    if not render.use_border:
+        return None
+    corners = []
+    for point in camera_object.data.view_frame(scene=scene):
+        x, y, _z, w = window_matrix @ numpy.array((*point, 1.0))
+        corners.append(((x / w + 1) / 2 * size[0], (y / w + 1) / 2 * size[1]))
+    low, high = numpy.min(corners, axis=0), numpy.max(corners, axis=0)
+    return border_pixels((*low, *high), (render.border_min_x, render.border_min_y,
+                                         render.border_max_x, render.border_max_y), size)
 
 
-class Worker:
-    """Renders the newest job in a thread. It never calls Blender except to ask for a redraw."""
-
-    def __init__(self, folder, redraw):
-        self.folder = folder
-        self.picture = None       # float32 (height, width, 4), of the newest finished stage
-        self.stage = -1           # index of that stage
-        self.submitted = 0        # number of jobs
-        self.finished = 0         # number of the last job whose stages are all done
-        self.error = ""
-        self._redraw = redraw
-        self._job = None
-        self._wake = threading.Event()
-        self._stopped = False
-        self._thread = threading.Thread(target=self._run, daemon=True)
-        self._thread.start()
-
-    def submit(self, job):
-        self.submitted += 1
-        self._job = self.submitted, job
-        self._wake.set()
-
-    def stop(self):
-        self._stopped = True
-        self._wake.set()
-        self._thread.join(timeout=5)
-
-    def _run(self):
-        while not self._stopped:
-            self._wake.wait()
-            time.sleep(SETTLE_SECONDS)
-            self._wake.clear()
-            if self._stopped or self._job is None:
-                continue
-            number, job = self._job
-            try:
-                self._render(number, job)
-            except (OSError, RuntimeError, ValueError) as error:
-                self.error = str(error)
-                self._redraw()
-
-    def _render(self, number, job):
-        path = program.find_cached()
-        for stage, (divisor, samples) in enumerate(STAGES):
-            scene = os.path.join(self.folder, "view.mi")
-            output = os.path.join(self.folder, "view.exr")
-            with open(scene, "w", encoding="utf-8") as file:
-                file.write(job.scene(divisor))
-            part = Newest(os.path.join(self.folder, "view.part.exr"))
-            last = stage == len(STAGES) - 1
-            layers = "beauty,normal,albedo,variance,halves" if last and job.denoise else "beauty"
-            run = process.RenderProcess(path, [
-                scene, "-o", output, "--exr", "float,none", "--linear", "--layers", layers,
-                "--samples", str(samples or job.samples),
-                *(["--denoise"] if last and job.denoise else [])], self.folder)
-            while run.running():
-                if self._wake.is_set():
-                    run.kill()
-                    return
-                if last and part.changed():
-                    self._show(part.path, stage - 1)
-                time.sleep(POLL_SECONDS)
-            run.finish()
-            if run.code != 0:
-                if self._wake.is_set():
-                    return
-                raise RuntimeError(run.errors[-1] if run.errors else f"exit code {run.code}")
-            if not self._show(output, stage):
-                raise RuntimeError("the picture of the renderer cannot be read")
-            if last:
-                self.finished = number
-
-    def _show(self, path, stage):
-        """Takes over the picture of a file; False if it is not complete."""
-        try:
-            picture = exr.read(path)
-        except (OSError, ValueError):
-            return False
-        width, height = picture.size
-        pixels = passes.combined(picture, True).reshape(height, width, 4)
-        self.picture, self.stage, self.error = pixels, stage, ""
-        self._redraw()
-        return True
+def border_pixels(frame, border, size):
+    """A border inside a frame (lower left, upper right) as x0, y0, x1, y1 from the upper left."""
+    x0, y0, x1, y1 = frame
+    left = min(max(round(x0 + border[0] * (x1 - x0)), 0), size[0] - 1)
+    right = min(max(round(x0 + border[2] * (x1 - x0)), left + 1), size[0])
+    bottom = min(max(round(y0 + border[1] * (y1 - y0)), 0), size[1] - 1)
+    top = min(max(round(y0 + border[3] * (y1 - y0)), bottom + 1), size[1])
+    return left, size[1] - top, right, size[1] - bottom
 
 
 class Session:
@@ -192,70 +101,95 @@ class Session:
             except ReferenceError:
                 pass
 
-        self.worker = Worker(self.folder, redraw)
+        self.worker = viewport_worker.Worker(self.folder, redraw)
         self._engine = reference
         self._known = {}
-        self._body = None
-        self._view = None
+        self._scene = None      # what the last export wrote
+        self._submitted = None  # scene and view of the last job
         self._texture = None
         self._shown = None
         program.find_cached(refresh=True)
         SESSIONS.add(self)
 
+    def forget(self, updates):
+        """Forgets the geometry of changed data-blocks and of what is made from them."""
+        names = set()
+        for update in updates:
+            if update.is_updated_geometry:
+                names.add(update.id.name_full)
+                data = getattr(update.id, "data", None)
+                if data is not None and hasattr(data, "name_full"):
+                    names.add(data.name_full)
+        if names:
+            self._known = {key: value for key, value in self._known.items()
+                           if not any(part in names for part in key if isinstance(part, str))}
+
     def scene_changed(self, depsgraph):
         """Exports the scene; unchanged meshes are not read again."""
-        for update in depsgraph.updates:
-            if update.is_updated_geometry:
-                # A key has the names of the object's data; objects do not tell their data's users.
-                self._known.clear()
-                break
+        self.forget(depsgraph.updates)
         exporter = export.Exporter(depsgraph, self.folder, self.meshes, lambda text: None)
         exporter.known = self._known
         environment = exporter.body()
         self.meshes.remove_unused()
-        names = [exporter.out.names.unique("view"), exporter.out.names.unique("view.instance")]
+        names = exporter.out.names.unique("view"), exporter.out.names.unique("view.instance")
         settings = depsgraph.scene.oriel
-        body = exporter.out.text(), tuple(exporter.out.members), environment, \
-            settings.preview_samples, settings.preview_denoise, tuple(names)
-        if body != self._body:
-            self._body, self._view = body, None
+        arguments = ("--threads", str(settings.threads)) if settings.threads else ()
+        self._scene = (exporter.out.parts, tuple(exporter.out.members), environment, names,
+                       settings.preview_samples, settings.preview_denoise, arguments)
         engine = self._engine()
         if engine is not None:
             engine.tag_redraw()
 
+    def job(self, window):
+        parts, members, environment, names, samples, denoise, arguments = self._scene
+        view = {"samples": samples, "denoise": denoise,
+                "region": list(window.region) if window.region else None}
+        ending = export.Exporter.ending([*members, names[1]], names[1])
+        return viewport_worker.Job([*parts, *window.parts(environment, names)], ending, view,
+                                   arguments, window.size)
+
     def draw(self, context, depsgraph):
-        if self._body is None:
+        if self._scene is None:
             self.scene_changed(depsgraph)
-        window = ViewWindow(context.region, context.region_data)
-        if window.key() != self._view:
-            self._view = window.key()
-            self.worker.submit(Job(self._body, window))
+        window = ViewWindow(context.region, context.region_data, depsgraph.scene_eval,
+                            context.space_data)
+        job = self.job(window)
+        if job != self._submitted:
+            self._submitted = job
+            self.worker.submit(job)
         self.show(context, depsgraph)
 
     def show(self, context, depsgraph):
         engine = self._engine()
         if engine is None:
             return
-        if self.worker.error:
-            engine.update_stats("Oriel", self.worker.error)
-        picture = self.worker.picture
+        worker = self.worker
+        if worker.error:
+            engine.update_stats("Oriel", worker.error)
+        picture = worker.picture
         if picture is None:
             return
+        if not worker.error:
+            engine.update_stats("", f"Samples {picture.samples}"
+                                if picture.divider == 1 else f"1/{picture.divider}")
         import gpu
         from gpu_extras.presets import draw_texture_2d
-        if picture is not self._shown:
-            height, width = picture.shape[:2]
-            factor = camera.exposure_factor(depsgraph.scene.oriel)
-            pixels = picture
+        height, width = picture.pixels.shape[:2]
+        factor = camera.exposure_factor(depsgraph.scene.oriel)
+        if self._shown != (id(picture), factor):
+            pixels = picture.pixels
             if factor != 1:
-                pixels = picture * numpy.array((factor, factor, factor, 1), numpy.float32)
+                pixels = pixels * numpy.array((factor, factor, factor, 1), numpy.float32)
             pixels = numpy.ascontiguousarray(numpy.clip(pixels, 0, 65504), numpy.float32)
             data = gpu.types.Buffer("FLOAT", (height, width, 4), pixels)
             self._texture = gpu.types.GPUTexture((width, height), format="RGBA16F", data=data)
-            self._shown = picture
+            self._shown = id(picture), factor
+        scale_x = context.region.width / picture.size[0]
+        scale_y = context.region.height / picture.size[1]
         gpu.state.blend_set("ALPHA_PREMULT")
         engine.bind_display_space_shader(depsgraph.scene)
-        draw_texture_2d(self._texture, (0, 0), context.region.width, context.region.height)
+        draw_texture_2d(self._texture, (picture.x * scale_x, picture.y * scale_y),
+                        width * scale_x, height * scale_y)
         engine.unbind_display_space_shader()
         gpu.state.blend_set("NONE")
 

@@ -140,10 +140,9 @@ def sun_and_sky(out, direction, haze, per_lux, disc=True, size=math.radians(0.53
         sun = out.names.unique("sun.light")
         instance = out.names.unique("Sun and sky")
         softness = size / math.radians(0.533)
-        out.add(f"light {mi.quoted(sun)}\n  " +
-                mi.call_of("mia_physicalsun", {**common, "multiplier": intensity,
-                                               "shadow_softness": softness, "samples": 8}) +
-                "\n  direction 0 0 -1\nend light\n")
+        out.light(sun, mi.call_of("mia_physicalsun", {
+            **common, "multiplier": intensity, "shadow_softness": softness, "samples": 8}),
+            "  direction 0 0 -1\n")
         out.instance(instance, sun, matrix)
         link = {"sun": mi.Words(mi.quoted(instance))}
     else:

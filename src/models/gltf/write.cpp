@@ -69,7 +69,7 @@ class Writer {
  public:
   explicit Writer(const scene::Scene& scene) : scene_(scene), materials_(scene, file_) {}
 
-  std::string bytes(Diagnostics& diagnostics) {
+  std::string bytes(bool z_is_up, Diagnostics& diagnostics) {
     file_.root["asset"] = {{"version", "2.0"}, {"generator", "Oriel"}};
     file_.root["nodes"] = json::array();
     Diagnostics unheard;  // of scenes that rendering reports
@@ -78,6 +78,14 @@ class Writer {
     json nodes = json::array();
     for (std::size_t i = 0; i < file_.root["nodes"].size(); ++i) nodes.push_back(i);
     file_.root["scene"] = 0;
+    if (z_is_up) {  // glTF has y up
+      constexpr double kHalf = 0.70710678118654752;
+      const std::size_t root = file_.root["nodes"].size();
+      file_.root["nodes"].push_back({{"name", "z_is_up"},
+                                     {"rotation", {-kHalf, 0, 0, kHalf}},
+                                     {"children", std::move(nodes)}});
+      nodes = json::array({root});
+    }
     file_.root["scenes"] = json::array({{{"nodes", std::move(nodes)}}});
     std::set<std::string> used = materials_.extensions();
     if (!lights_.empty()) {
@@ -273,8 +281,8 @@ class Writer {
 
 }  // namespace
 
-std::string write_glb(const scene::Scene& scene, Diagnostics& diagnostics) {
-  return Writer(scene).bytes(diagnostics);
+std::string write_glb(const scene::Scene& scene, Diagnostics& diagnostics, bool z_is_up) {
+  return Writer(scene).bytes(z_is_up, diagnostics);
 }
 
 }  // namespace oriel::models::gltf

@@ -17,10 +17,11 @@ namespace oriel::models::gltf {
 ///          mib_light_point and _spot become lights in candela, mib_light_infinite in lux, one
 ///          unit of a pixel being 1 cd/m2.
 ///          The same scene gives the same bytes.
+/// Inputs:  z_is_up: of the scene; glTF has y up.
 /// Errors:  OR-MD-030 one note for each kind of thing that is approximated or left out.
 /// Source:  glTF 2.0; KHR_lights_punctual, KHR_materials_{transmission,ior,volume,clearcoat,
 ///          emissive_strength,specular}.
 /// Checked: GltfWrite.*
-std::string write_glb(const scene::Scene& scene, Diagnostics& diagnostics);
+std::string write_glb(const scene::Scene& scene, Diagnostics& diagnostics, bool z_is_up = false);
 
 }  // namespace oriel::models::gltf
