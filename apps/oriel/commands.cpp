@@ -19,8 +19,8 @@ std::vector<Command> add_commands(CLI::App& program) {
           add_convert_command(program),    add_quick_command(program),
           add_studio_command(program),     add_merge_command(program),
           add_pack_command(program),       add_submit_command(program),
-          add_status_command(program),     add_work_command(program)};
-          add_studio_command(program),     add_interactive_command(program)};
+          add_status_command(program),     add_work_command(program),
+          add_interactive_command(program)};
 }
 
 }  // namespace oriel::app
