@@ -91,7 +91,7 @@ class Progressive {
     std::function<void(const Progress&)> progress, pass;
     std::function<bool()> wants_pause;
     std::function<void()> paused;
-    TileLoop spread = {};
+    TileLoop spread;
   };
 
   Progressive(Film& film, const RenderBudget& budget, const PicturePart& part = {});
