@@ -14,10 +14,10 @@ import {sunChart} from "../ui/sun_chart.js";
 /** @param {App} app */
 export function createDaylightPanel(app) {
   const {session} = app;
-  const s = {latitude: 48.14, longitude: 11.58, zone: 1, date: "2026-06-21", hour: 12, north: 0, haze: 0};
+  const s = {latitude: 48.14, longitude: 11.58, zone: 1, date: "2026-06-21", hour: 12, north: 0, haze: 0, setsHaze: false};
   const chart = sunChart();
   const sun = h("p", {class: "muted", text: "The edit sets direction of the sun and parameters of the sky."});
-  const fields = (/** @type {number} */ hour) => ({latitude: s.latitude, longitude: s.longitude, time: isoTime(s.date, hour, s.zone), north: s.north, haze: s.haze});
+  const fields = (/** @type {number} */ hour) => ({latitude: s.latitude, longitude: s.longitude, time: isoTime(s.date, hour, s.zone), north: s.north, ...(s.setsHaze ? {haze: s.haze} : {})});
   const send = (/** @type {string} */ gesture) => {
     void session.daylight(fields(s.hour), gesture);
     chart.mark(s.hour);
@@ -55,7 +55,7 @@ export function createDaylightPanel(app) {
   const date = textField("Date", s.date, (v) => { if (/^\d{4}-\d\d-\d\d$/.test(v)) { s.date = v; changed(newGesture("date")); } }, {type: "date"});
   const hour = numberField({label: "Hour", value: s.hour, min: 0, max: 24, unit: "h", onInput: (v, g) => { s.hour = v; stopScrub(); changed(g, false); }});
   const north = numberField({label: "North", value: s.north, low: -180, high: 180, unit: "°", reset: 0, onInput: (v, g) => { s.north = v; changed(g); }});
-  const haze = numberField({label: "Haze", value: s.haze, min: 0, max: 15, reset: 0, onInput: (v, g) => { s.haze = v; changed(g, false); }});
+  const haze = numberField({label: "Haze", value: s.haze, min: 0, max: 15, reset: 0, onInput: (v, g) => { s.haze = v; s.setsHaze = true; changed(g, false); }});
   hour.element.classList.add("strong");
 
   const hours = createHours(app, fields);
@@ -68,7 +68,7 @@ export function createDaylightPanel(app) {
     if (restored || !d || !time) return;
     restored = true;  // later states answer the changes of this panel
     Object.assign(s, {latitude: d.latitude, longitude: d.longitude, date: time[1], hour: Number(time[2]) + Number(time[3]) / 60,
-                      zone: Number(time[4] ?? 0) + Math.sign(Number(time[4] ?? 0)) * Number(time[5] ?? 0) / 60, north: d.north ?? 0, haze: d.haze ?? s.haze});
+                      zone: Number(time[4] ?? 0) + Math.sign(Number(time[4] ?? 0)) * Number(time[5] ?? 0) / 60, north: d.north ?? 0, haze: d.haze ?? s.haze, setsHaze: d.haze !== undefined});
     latitude.set(s.latitude);
     longitude.set(s.longitude);
     zone.set(s.zone);
