@@ -19,6 +19,8 @@ void print_done_line(const RenderSession& session, StopReason reason,
                          {"samples", p.mean_samples},
                          {"elapsed", p.elapsed},
                          {"rays", session.rays().rays()},
+                         {"rays_before", session.rays_before()},
+                         {"learned_bytes", session.learned_bytes()},
                          {"files", files}};
   if (p.noise) line["noise"] = *p.noise;
   if (const TextureStatistics t = texture_statistics(); t.files > 0)

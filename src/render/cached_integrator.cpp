@@ -183,7 +183,7 @@ void CachedIntegrator::learn(const IntegratorPreparation& p) {
   if (!plan_.indirect || plan_.gather || plan_.global || caches_only()) return;
   PathSettings settings = path_settings();
   settings.lit = lit_.empty() ? nullptr : &lit_;
-  learned_ = learn_light(world_, p, settings, bounces_);
+  learned_ = learn_light(world_, p, settings);
 }
 
 void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {

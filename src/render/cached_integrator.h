@@ -45,6 +45,7 @@ class CachedIntegrator final : public Integrator {
   bool is_prepared() const override { return prepared_; }
   bool caches_only() const override;
   std::size_t gather_points() const override { return cache_.records().size(); }
+  std::size_t learned_bytes() const override { return learned_.bytes(); }
   bool has_unknown_light() const override { return read_files_ || reads_grid(); }
 
  private:

@@ -77,6 +77,8 @@ class Integrator {
   virtual bool caches_only() const { return false; }
   /// Number of final gather points in the caches.
   virtual std::size_t gather_points() const { return 0; }
+  /// Memory of what paths learned of the light before the picture; 0 = they learned nothing.
+  virtual std::size_t learned_bytes() const { return 0; }
   /// Whether some light may have no light layer, since it comes from files or interpolation.
   virtual bool has_unknown_light() const { return false; }
 };

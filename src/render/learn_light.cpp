@@ -76,14 +76,14 @@ DirectionGuide learn_directions(const World& world, const IntegratorPreparation&
 }  // namespace
 
 LearnedLight learn_light(const World& world, const IntegratorPreparation& p,
-                         const PathSettings& settings, const Bounces& coarse) {
+                         const PathSettings& settings) {
   if (!world.options.guiding || p.paths < kLeastPaths) return {};
   p.monitor.report("guiding", 0);
   GatherSettings of_records = gather_settings(world.options, world.accel->bounds());
   of_records.path.diffuse_bounces = PathSettings::kAllBounces;
-  const bool has_points = !coarse.points.empty();
-  const Bounces own = has_points ? Bounces() : coarse_records(world, p, of_records);
-  const Bounces& records = has_points ? coarse : own;
+  // Not those of a cache of bounces: they refer to the window, and a resumed render lacks their
+  // points.
+  const Bounces records = coarse_records(world, p, of_records);
   if (records.points.empty() || p.monitor.cancelled()) return {};
   LearnedLight learned;
   learned.lights = learn_lights(world, p, settings, records);

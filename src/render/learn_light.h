@@ -20,10 +20,9 @@ struct LearnedLight {
 /// part is empty if the picture has so few paths that learning costs more than it saves, if pilot
 /// paths show no gain, or if cancelled.
 ///
-/// Inputs:  settings: of the paths, which learned nothing; coarse: records of the scene, if they
-///          exist; without points they are computed.
+/// Inputs:  settings: of the paths, which learned nothing.
 /// Checked: Guiding.*, GuidedPictures.*, ManyLamps.* in tests/cross_method
 LearnedLight learn_light(const World& world, const IntegratorPreparation& p,
-                         const PathSettings& settings, const Bounces& coarse);
+                         const PathSettings& settings);
 
 }  // namespace oriel

@@ -129,6 +129,10 @@ class RenderSession {
   const Integrator& integrator() const { return *integrator_; }
   const RenderBudget& budget() const { return budget_; }
   Progress progress() const { return progressive_.progress(); }
+  /// Rays of those that were traced before the picture, for caches and to learn.
+  std::uint64_t rays_before() const { return rays_of_maps_.rays(); }
+  /// Memory of what paths learned before the picture.
+  std::size_t learned_bytes() const { return integrator_->learned_bytes(); }
   RayCounts rays() const {
     RayCounts sum = rays_of_maps_;
     return sum += rays_;
