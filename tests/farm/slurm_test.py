@@ -147,6 +147,14 @@ class Slurm(unittest.TestCase):
         # By its number, as long as Slurm knows it.
         self.assertIn("5 of 5 parts done", run(ORIEL, "status", job).stdout)
 
+    def test_ranks_of_srun_give_the_bytes_of_one_machine(self):
+        if not (pathlib.Path(ORIEL).parent / "oriel_mpi.so").exists():
+            self.skipTest("Open MPI was not installed when Oriel was built")
+        self.write_scene(SCENE + RENDER)
+        render = [ORIEL, "render", self.scene, "-o", self.output, "--samples", 4, "--threads", 1, "-q"]
+        run("srun", "--mpi=pmix", "-N3", "-n3", *render, timeout=100)
+        self.expect_same_bytes()
+
     def test_a_requeued_task_continues(self):
         self.write_scene(SCENE + RENDER)
         samples = self.samples_for(10)
