@@ -34,8 +34,8 @@ SceneText random_room(unsigned seed) {
     scene.box(i % 3 ? "grey" : "glossy", centre - half, centre + half);
   }
   for (int i = 0; i < 12; ++i) {
-    const std::string at = fmt::format(" origin {} {} {} ", between(-1.8f, 1.8f),
-                                       between(-1.8f, 1.8f), between(-.3f, 1.8f));
+    const std::string at = fmt::format(" origin {} {} {} ", between(-1.5f, 1.5f),
+                                       between(-1.5f, 1.5f), between(.4f, 1.5f));
     const float strength = between(.2f, 6);
     const std::string physical =
         fmt::format("\"physical_light\" ( \"color\" {0} {0} {0} )", strength);

@@ -304,7 +304,8 @@ TEST(RayKinds, CutOutsAreProbed) {
 /// Sends photons of a spot down onto a plate in a room of the target.
 PhotonMaps photons_on(const char* plate, bool caustics, const char* emitter = "") {
   SceneText scene = with_target(0, "trace depth 8 8 12 shadow segments caustic on");
-  scene.material("plate", plate)
+  scene.method("scene")
+      .material("plate", plate)
       .square("plate", Vec3(0), 2, kUp)
       .box("seen", Vec3(-3), Vec3(3), true)
       .light("spot", fmt::format("\"test_kind\" ( \"slot\" 1 ) {} origin 0 0 1 direction 0 0 -1 "
