@@ -2,9 +2,7 @@
 // What oriel render shares with commands that continue its renders.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include <CLI/CLI.hpp>
 
 namespace oriel::app {
 
