@@ -374,6 +374,7 @@ std::vector<int> Progressive::incomplete_tiles() const {
   std::stable_sort(missing.begin(), missing.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<int> tiles;
+  tiles.reserve(missing.size());
   for (const auto& [samples, tile] : missing) tiles.push_back(tile);
   return tiles;
 }

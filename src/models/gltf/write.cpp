@@ -80,11 +80,11 @@ class Writer {
     file_.root["scene"] = 0;
     if (z_is_up) {  // glTF has y up
       constexpr double kHalf = 0.70710678118654752;
-      const std::size_t root = file_.root["nodes"].size();
+      const std::size_t turned = file_.root["nodes"].size();
       file_.root["nodes"].push_back({{"name", "z_is_up"},
                                      {"rotation", {-kHalf, 0, 0, kHalf}},
                                      {"children", std::move(nodes)}});
-      nodes = json::array({root});
+      nodes = json::array({turned});
     }
     file_.root["scenes"] = json::array({{{"nodes", std::move(nodes)}}});
     std::set<std::string> used = materials_.extensions();

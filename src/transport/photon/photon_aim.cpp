@@ -11,6 +11,13 @@ namespace {
 
 /// Cells along each side of the square.
 constexpr std::uint32_t kSide = 128;
+
+/// The lower corner of a cell, in cells.
+Vec2 corner_of(std::uint32_t cell) {
+  const std::uint32_t x = cell % kSide, y = cell / kSide;
+  return Vec2(static_cast<float>(x), static_cast<float>(y));
+}
+
 /// With more spheres the lines are not tested.
 constexpr std::size_t kMostSpheres = 256;
 /// Share of the square from which on all of it is used.
@@ -42,7 +49,7 @@ PhotonAim::PhotonAim(const PhotonSource& source, const std::vector<SharpCaustics
     return most;
   };
   const auto meets = [&](std::uint32_t cell) {
-    const Vec2 low(static_cast<float>(cell % kSide), static_cast<float>(cell / kSide));
+    const Vec2 low = corner_of(cell);
     Line lines[std::size(kCorners)];
     for (std::size_t k = 0; k < std::size(kCorners); ++k)
       lines[k] = line((low + kCorners[k]) / static_cast<float>(kSide), kCorners[0]);
@@ -80,9 +87,7 @@ void PhotonAim::aim(Vec2& u_place, Vec2& u_direction) const {
   const float scaled = u.x * static_cast<float>(cells_.size());
   const auto index = std::min(static_cast<std::size_t>(scaled), cells_.size() - 1);
   const float rest = std::min(scaled - static_cast<float>(index), 0.99999994f);
-  const std::uint32_t cell = cells_[index];
-  u = Vec2((static_cast<float>(cell % kSide) + rest) / kSide,
-           (static_cast<float>(cell / kSide) + u.y) / kSide);
+  u = (corner_of(cells_[index]) + Vec2(rest, u.y)) / static_cast<float>(kSide);
 }
 
 }  // namespace oriel
