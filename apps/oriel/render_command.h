@@ -2,7 +2,9 @@
 // What oriel render shares with commands that continue its renders.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {  // NOLINT(readability-identifier-naming): named by the library
+class App;
+}
 
 namespace oriel::app {
 
