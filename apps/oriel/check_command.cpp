@@ -105,7 +105,7 @@ json picture_json(const World& world) {
           {"noise_target", budget.noise},
           {"maps_colours", !world.lens.empty()},
           {"indirect_light", plan.name()},
-          {"caustics", plan.caustic}};
+          {"caustics", plan.caustic || plan.sharp_caustics}};
 }
 
 /// Which shaders the scene calls, and what is known of them: those that no part of the picture uses

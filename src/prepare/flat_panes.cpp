@@ -49,8 +49,8 @@ bool is_flat_pane(const geom::Mesh& mesh) {
       high = std::max(high, height);
     }
   }
-  // Two panes, one behind the other, are as thick as their distance and pass straight as well, but
-  // they need not be told from boxes.
+  // Two panes in one mesh, one behind the other, count as a thick box, although light passes them
+  // straight as well.
   return front + back >= kFacing * all && std::abs(front - back) <= (1 - kFacing) * all &&
          high - low <= kThin * std::sqrt(front);
 }

@@ -126,7 +126,7 @@ CachedIntegrator::CachedIntegrator(const World& world)
 bool CachedIntegrator::caches_only() const {
   const scene::RenderOptions& o = world_.options;
   return (plan_.gather && o.finalgather.only) ||
-         ((plan_.global || plan_.caustic) && !plan_.sharp_caustics && o.photonmap_only);
+         ((plan_.global || plan_.caustic) && o.photonmap_only);
 }
 
 PathSettings CachedIntegrator::path_settings() const {
@@ -154,10 +154,8 @@ void CachedIntegrator::trace(const Camera::Ray& eye, Vec2 raster, float paths_of
 }
 
 void CachedIntegrator::prepare(const IntegratorPreparation& p) {
-  if (plan_.sharp_caustics)
-    trace_sharp_caustics(p);
-  else if (plan_.global || plan_.caustic)
-    trace_photon_maps(p);
+  if (plan_.sharp_caustics) trace_sharp_caustics(p);
+  if (plan_.global || plan_.caustic) trace_photon_maps(p);
   if (plan_.gather) gather(p);
   if (plan_.bounces) cache_bounces(gather_passes(p.seed), p);
   find_lit_surfaces(p);
@@ -220,7 +218,7 @@ void CachedIntegrator::use_photon_maps() {
   const scene::RenderOptions& options = world_.options;
   const geom::Box3 box = world_.accel->bounds();
   if (plan_.global) maps_.global = &photons_.global;
-  if (plan_.caustic) maps_.caustic = &photons_.caustic;
+  if (plan_.caustic || plan_.sharp_caustics) maps_.caustic = &photons_.caustic;
   if (plan_.sharp_caustics) maps_.sharp = &sharp_;
   maps_.global_lookup = photon_lookup(options.globillum, box, PhotonKind::Global);
   maps_.global_lookup.walls_of = &world_;
@@ -316,7 +314,7 @@ void CachedIntegrator::restore(CheckpointReader& in, const IntegratorPreparation
   bounces_.held = held;
   cache_ = restore_cache(in);
   if (plan_.sharp_caustics) sharp_ = SharpCaustics(world_);
-  if (plan_.sharp_caustics ? !sharp_.empty() : plan_.global || plan_.caustic) use_photon_maps();
+  if (plan_.global || plan_.caustic || !sharp_.empty()) use_photon_maps();
   if (plan_.gather) {
     const GatherPasses passes = gather_passes(p.seed);
     bounces_.query = bounces_query(world_);

@@ -18,7 +18,7 @@ IndirectPlan plan_indirect(const scene::RenderOptions& options) {
   if (m == Method::Path || m == Method::PathCache) {
     plan.indirect = true;
     plan.bounces = m == Method::PathCache;
-    plan.caustic = plan.sharp_caustics = options.caustic.on;
+    plan.sharp_caustics = options.caustic.on;
     return plan;
   }
   plan.gather = plan.by_name ? m != Method::Photons : options.finalgather.on;

@@ -12,8 +12,8 @@ struct IndirectPlan {
   bool bounces = false;         ///< paths end at coarse records behind the first diffuse bounce
   bool by_name = false;         ///< a method was chosen by name, not by the scene's statements
   bool indirect = false;        ///< diffuse surfaces light each other, by rays or by caches
-  bool sharp_caustics = false;  ///< `caustic` is for what paths hardly find; see SharpCaustics
-  bool maps() const { return gather || global || (caustic && !sharp_caustics) || bounces; }
+  bool sharp_caustics = false;  ///< photons for what paths hardly find; see SharpCaustics
+  bool maps() const { return gather || global || caustic || bounces; }
   /// Name on the command line; "none" where diffuse surfaces get direct light only.
   const char* name() const;
 };
