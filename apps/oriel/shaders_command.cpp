@@ -7,6 +7,7 @@
 
 #include "command.h"
 #include "scene_file.h"
+#include "shaders/default_text.h"
 #include "shaders/registry.h"
 #include "suggest.h"
 #include "templates.h"
@@ -21,22 +22,6 @@ struct ShadersArguments {
   bool templates = false;  ///< template_name empty: all
   bool as_json = false;
 };
-
-std::string default_text(const ParamSpec& p) {
-  const auto& v = p.fallback;
-  switch (p.type) {
-    case ParamType::Boolean:
-      return v[0] != 0 ? "on" : "off";
-    case ParamType::Integer:
-    case ParamType::Scalar:
-      return fmt::format("{}", v[0]);
-    case ParamType::Color:
-    case ParamType::Vector:
-      return fmt::format("{} {} {}", v[0], v[1], v[2]);
-    default:
-      return "";
-  }
-}
 
 std::string range_text(const ParamSpec& p) {
   const bool low = std::isfinite(p.min), high = std::isfinite(p.max);

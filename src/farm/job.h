@@ -7,7 +7,7 @@
 
 namespace oriel::farm {
 
-/// What the workload manager is asked for. Empty texts and zeros: its defaults.
+/// Resources that a job requests. Empty texts and zeros: the defaults of the workload manager.
 struct JobResources {
   int nodes = 0;  ///< tasks that run at the same time
   int cpus = 0;   ///< of a task; 0: whole nodes

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interactive/inverse_edits.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "interactive/element_statements.h"
 #include "interactive/scene_edit.h"
 #include "interactive/structured_value.h"
+#include "shaders/default_text.h"
 
 namespace oriel::interactive {
 namespace {
@@ -29,22 +28,6 @@ std::optional<std::string> text_of_edit(const Value& value) {
   }
 }
 
-std::optional<std::string> default_text(const ParamSpec& p) {
-  const auto& v = p.fallback;
-  switch (p.type) {
-    case ParamType::Boolean:
-      return v[0] != 0 ? "on" : "off";
-    case ParamType::Integer:
-    case ParamType::Scalar:
-      return fmt::format("{}", v[0]);
-    case ParamType::Color:
-    case ParamType::Vector:
-      return fmt::format("{} {} {}", v[0], v[1], v[2]);
-    default:
-      return std::nullopt;
-  }
-}
-
 std::optional<std::string> value_in_call(const scene::ShaderUse& call, const std::string& parameter,
                                          const Registry& registry) {
   for (const scene::Argument& argument : call.arguments)
@@ -53,7 +36,8 @@ std::optional<std::string> value_in_call(const scene::ShaderUse& call, const std
   if (!spec) return std::nullopt;
   const auto p = std::find_if(spec->params.begin(), spec->params.end(),
                               [&](const ParamSpec& s) { return parameter == s.name; });
-  return p == spec->params.end() ? std::nullopt : default_text(*p);
+  const std::string text = p == spec->params.end() ? "" : default_text(*p);
+  return text.empty() ? std::nullopt : std::optional(text);
 }
 
 std::optional<std::string> value_of_statement(const scene::Element& element,
