@@ -149,6 +149,7 @@ void CachedIntegrator::trace(const Camera::Ray& eye, Vec2 raster, float paths_of
   settings.grid = reads_grid() ? &*grid_ : nullptr;
   settings.lit = lit_.empty() ? nullptr : &lit_;
   settings.guide = learned_.guide.empty() ? nullptr : &learned_.guide;
+  settings.diffuse_rays = learned_.diffuse_rays;
   settings.lights = learned_.lights.empty() ? nullptr : &learned_.lights;
   trace_path(world_, eye, raster, settings, record, sampler, counts);
 }
@@ -172,8 +173,9 @@ void CachedIntegrator::find_lit_surfaces(const IntegratorPreparation& p) {
   if (lit_.empty() || p.monitor.cancelled()) return;
   PathSettings sampled = path_settings();
   sampled.lit = &lit_;
-  if (efficiency_ratio(world_, p.picture, sampled, path_settings(), p.seed, p.counts) < kWorthwhile)
-    lit_ = {};
+  const PilotComparison gain =
+      compare_pilots(world_, p.picture, sampled, path_settings(), p.seed, p.counts);
+  if (gain.efficiency() < kWorthwhile) lit_ = {};
 }
 
 /// Only paths that trace diffuse bounces learn.

@@ -13,6 +13,7 @@ namespace oriel {
 struct LearnedLight {
   LearnedLights lights;  ///< for the choice of lights
   DirectionGuide guide;  ///< for diffuse bounces
+  int diffuse_rays = 1;  ///< see PathSettings
   std::size_t bytes() const { return lights.bytes() + guide.bytes(); }
 };
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace oriel {
 namespace {
@@ -11,27 +10,29 @@ namespace {
 /// What the node above counts, in points; .5 to 1.5 differ little.
 constexpr float kWeightAbove = 0.5f;
 
-/// The entry of increasing shares that contains u, and where in it, both as a coordinate.
+/// Size of entry i of increasing shares.
+float share_of(const float* until, std::size_t i) { return until[i] - (i > 0 ? until[i - 1] : 0); }
+
+/// The entry that contains u, its size, and where in it u is, as a coordinate.
 struct Found {
   std::size_t index;
-  float coordinate;
+  float size, coordinate;
 };
 Found find_share(const float* until, float u) {
   std::size_t i = 0;
   for (std::size_t k = 0; k + 1 < kGuideSide; ++k) i += until[k] <= u ? 1 : 0;
   const float from = i > 0 ? until[i - 1] : 0, size = until[i] - from;
   const float within = size > 0 ? clamp((u - from) / size, 0, 0x1.fffffep-1f) : 0.5f;
-  return {i, (static_cast<float>(i) + within) / kGuideSide};
+  return {i, size, (static_cast<float>(i) + within) / kGuideSide};
+}
+
+std::size_t along_side(float x) {
+  return static_cast<std::size_t>(clamp(x * kGuideSide, 0, kGuideSide - 1));
 }
 
 }  // namespace
 
-std::size_t guide_cell(const Vec2& at) {
-  const auto along = [](float x) {
-    return static_cast<std::size_t>(clamp(x * kGuideSide, 0, kGuideSide - 1));
-  };
-  return along(at.y) * kGuideSide + along(at.x);
-}
+std::size_t guide_cell(const Vec2& at) { return along_side(at.y) * kGuideSide + along_side(at.x); }
 
 Frame guide_frame(const Vec3& normal) {
   Vec3 tangent(0);
@@ -42,29 +43,36 @@ Frame guide_frame(const Vec3& normal) {
 GuideDensity::GuideDensity(const GuideSquare& light) {
   double sum = 0;  // double: shares must add up to 1
   for (const float l : light) sum += static_cast<double>(l);
-  const float scale = sum > 0 ? static_cast<float>((1 - kUnguided) * kGuideCells / sum) : 0;
-  for (std::size_t i = 0; i < kGuideCells; ++i)
-    density_[i] = sum > 0 ? kUnguided + scale * light[i] : 1;
+  const double scale = sum > 0 ? (1 - kUnguided) * kGuideCells / sum : 0;
+  const auto density = [&](std::size_t i) {
+    return sum > 0 ? kUnguided + scale * static_cast<double>(light[i]) : 1;
+  };
   double rows = 0;
   for (std::size_t row = 0; row < kGuideSide; ++row) {
-    const auto begin = density_.begin() + static_cast<std::ptrdiff_t>(row * kGuideSide);
-    const double of_row = std::accumulate(begin, begin + kGuideSide, 0.0);
-    double until = 0;
+    double of_row = 0, until = 0;
+    for (std::size_t i = row * kGuideSide; i < (row + 1) * kGuideSide; ++i) of_row += density(i);
     for (std::size_t i = row * kGuideSide; i < (row + 1) * kGuideSide; ++i)
-      until_[i] = static_cast<float>((until += static_cast<double>(density_[i])) / of_row);
+      until_[i] = static_cast<float>((until += density(i)) / of_row);
     rows_until_[row] = static_cast<float>((rows += of_row) / kGuideCells);
   }
+}
+
+float GuideDensity::at(const Vec2& on_square) const {
+  const std::size_t row = along_side(on_square.y);
+  return kGuideCells * share_of(rows_until_.data(), row) *
+         share_of(&until_[row * kGuideSide], along_side(on_square.x));
 }
 
 Vec2 GuideDensity::sample(const Vec2& u, float& density) const {
   const Found row = find_share(rows_until_.data(), u.y);
   const Found column = find_share(&until_[row.index * kGuideSide], u.x);
-  density = density_[row.index * kGuideSide + column.index];
+  density = kGuideCells * row.size * column.size;
   return Vec2(column.coordinate, row.coordinate);
 }
 
 LocalGuide DirectionGuide::at(const Vec3& position, const Vec3& normal) const {
-  return {densities_[tree_.find(position, normal)], guide_frame(normal)};
+  const std::size_t cell = tree_.find(position, normal);
+  return {densities_[cell], guide_frame(normal), light_[cell]};
 }
 
 DirectionGuide::DirectionGuide(const geom::Box3& bounds, std::span<const GuidePoint> points) {
@@ -72,7 +80,7 @@ DirectionGuide::DirectionGuide(const geom::Box3& bounds, std::span<const GuidePo
   places.reserve(points.size());
   for (const GuidePoint& p : points) places.push_back({p.position, p.normal});
   tree_ = SurfaceTree(bounds, places);
-  // The mean of the points and of the light above.
+  // The means of the points and of the light above.
   const auto light_of = [&](std::span<const std::uint32_t> indices, const GuideSquare& above) {
     GuideSquare light;
     for (std::size_t k = 0; k < kGuideCells; ++k) light[k] = kWeightAbove * above[k];
@@ -82,8 +90,14 @@ DirectionGuide::DirectionGuide(const geom::Box3& bounds, std::span<const GuidePo
     for (float& l : light) l *= scale;
     return light;
   };
+  const auto mean_of = [&](std::span<const std::uint32_t> indices, const Rgb& above) {
+    Rgb light = kWeightAbove * above;
+    for (const std::uint32_t i : indices) light += points[i].mean;
+    return light / (static_cast<float>(indices.size()) + kWeightAbove);
+  };
   for (const GuideSquare& light : tree_.values(GuideSquare{}, light_of))
     densities_.emplace_back(light);
+  light_ = tree_.values(Rgb(0), mean_of);
 }
 
 }  // namespace oriel

@@ -36,12 +36,12 @@ class GuideDensity {
   static constexpr float kUnguided = 0.4f;
 
   /// Returns: at least kUnguided; 1 on the average.
-  float at(const Vec2& on_square) const { return density_[guide_cell(on_square)]; }
+  float at(const Vec2& on_square) const;
   /// Maps the uniform `u` to the square with that density, monotonically in each coordinate.
   Vec2 sample(const Vec2& u, float& density) const;
 
  private:
-  GuideSquare density_;
+  // The densities are differences of these shares, which halves the memory that look-ups touch.
   GuideSquare until_;                         ///< share of its row up to the end of each cell
   std::array<float, kGuideSide> rows_until_;  ///< share up to the end of each row
 };
@@ -50,13 +50,16 @@ class GuideDensity {
 class LocalGuide {
  public:
   LocalGuide() = default;
-  LocalGuide(const GuideDensity& density, const Frame& frame) : density_(&density), frame_(frame) {}
+  LocalGuide(const GuideDensity& density, const Frame& frame, const Rgb& light = Rgb(0))
+      : density_(&density), frame_(frame), light_(light) {}
 
   explicit operator bool() const { return density_ != nullptr; }
   /// Density relative to cos / pi. Inputs:  wi: unit, above the surface.
   float density(const Vec3& wi) const {
     return density_->at(sampling::square_of_disc(Vec2(dot(wi, frame_.s), dot(wi, frame_.t))));
   }
+  /// Expected radiance of a white Lambert surface here, without light that light samples find.
+  const Rgb& light() const { return light_; }
   struct Sample {
     Vec3 wi{0};
     float cosine = 0, density = 0;
@@ -72,12 +75,14 @@ class LocalGuide {
  private:
   const GuideDensity* density_ = nullptr;
   Frame frame_;
+  Rgb light_{0};
 };
 
 /// The light that arrives at a point of a surface.
 struct GuidePoint {
   Vec3 position{0}, normal{0, 0, 1};
   GuideSquare light{};  ///< mean luminance in each cell, in guide_frame(normal)
+  Rgb mean{0};          ///< radiance, mean over the square
 };
 
 /// The frame of all guides of surfaces with that unit normal. It turns smoothly between normals of
@@ -98,11 +103,14 @@ class DirectionGuide {
   bool empty() const { return tree_.empty(); }
   /// Inputs:  normal: unit. Not for an empty guide.
   LocalGuide at(const Vec3& position, const Vec3& normal) const;
-  std::size_t bytes() const { return tree_.bytes() + densities_.size() * sizeof(GuideDensity); }
+  std::size_t bytes() const {
+    return tree_.bytes() + densities_.size() * sizeof(GuideDensity) + light_.size() * sizeof(Rgb);
+  }
 
  private:
   SurfaceTree tree_;
   std::vector<GuideDensity> densities_;
+  std::vector<Rgb> light_;  ///< GuidePoint::mean by cell
 };
 
 }  // namespace oriel

@@ -89,6 +89,7 @@ TEST(LocalGuide, DirectionsMatchTheirDensity) {
 GuidePoint point_of(const Vec3& position, const Vec3& normal, std::size_t cell) {
   GuidePoint p{position, normal};
   p.light[cell] = 1;
+  p.mean = Rgb(float(cell), 1, 0);
   return p;
 }
 
@@ -112,6 +113,8 @@ TEST(DirectionGuide, APlaceHasTheLightOfItsPoints) {
       if (local.density(w) > most) most = local.density(w), best = i;
     }
     EXPECT_GT(most, 50);
+    EXPECT_NEAR(local.light().y, 1, 1e-3f);
+    EXPECT_NEAR(local.light().x / float(best), 1, .15f) << "the points of the cell, not all";
     return best;
   };
   EXPECT_EQ(brightest(Vec3(-.9f, .3f, 0), Vec3(0, 0, 1)), 3u);

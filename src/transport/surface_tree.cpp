@@ -11,6 +11,8 @@ namespace {
 /// Maximum number of points of a cell. 1 to 4 differ little.
 constexpr std::uint32_t kPointsOfCell = 4;
 constexpr int kDeepestCell = 32;
+/// More nodes than any tree of points has, which coarse records limit.
+constexpr std::uint32_t kMostNodes = (1u << 30) - 1;
 
 }  // namespace
 
@@ -25,12 +27,13 @@ SurfaceTree::SurfaceTree(const geom::Box3& bounds, std::span<const Point> points
   order_.resize(points.size());
   std::iota(order_.begin(), order_.end(), 0u);
   nodes_.resize(kSides);
+  members_.resize(kSides);
   auto begin = order_.begin();
   for (std::uint32_t side = 0; side < kSides; ++side) {
     const auto end = std::stable_partition(
         begin, order_.end(), [&](std::uint32_t i) { return main_side(points[i].normal) == side; });
-    nodes_[side].begin = static_cast<std::uint32_t>(begin - order_.begin());
-    nodes_[side].end = static_cast<std::uint32_t>(end - order_.begin());
+    members_[side].begin = static_cast<std::uint32_t>(begin - order_.begin());
+    members_[side].end = static_cast<std::uint32_t>(end - order_.begin());
     divide(side, bounds, points, 0);
     begin = end;
   }
@@ -38,9 +41,9 @@ SurfaceTree::SurfaceTree(const geom::Box3& bounds, std::span<const Point> points
 
 void SurfaceTree::divide(std::uint32_t index, const geom::Box3& box, std::span<const Point> points,
                          int depth) {
-  const Node node = nodes_[index];
+  const Members node = members_[index];
   if (node.end - node.begin <= kPointsOfCell || depth == kDeepestCell) {
-    nodes_[index].child = static_cast<std::uint32_t>(cells_++);
+    nodes_[index].child = static_cast<std::uint32_t>(cells_++) & kMostNodes;
     return;
   }
   const Vec3 size = box.max - box.min;
@@ -53,10 +56,11 @@ void SurfaceTree::divide(std::uint32_t index, const geom::Box3& box, std::span<c
   const auto middle = static_cast<std::uint32_t>(found - order_.begin());
   const auto child = static_cast<std::uint32_t>(nodes_.size());
   nodes_[index].split = split;
-  nodes_[index].axis = axis;
-  nodes_[index].child = child;
-  nodes_.push_back({.above = index, .begin = node.begin, .end = middle});
-  nodes_.push_back({.above = index, .begin = middle, .end = node.end});
+  nodes_[index].axis = static_cast<std::uint32_t>(axis) & kLeaf;
+  nodes_[index].child = child & kMostNodes;
+  nodes_.resize(nodes_.size() + 2);
+  members_.push_back({.above = index, .begin = node.begin, .end = middle});
+  members_.push_back({.above = index, .begin = middle, .end = node.end});
   geom::Box3 low = box, high = box;
   low.max[axis] = high.min[axis] = split;
   divide(child, low, points, depth + 1);

@@ -39,6 +39,20 @@ TEST_P(Guiding, KeepsTheMean) {
                   std::hypot(with.error.y, without.error.y));
 }
 
+// acceptance: Q2
+TEST_P(Guiding, TwoDiffuseRaysKeepTheMean) {
+  constexpr int kSamples = 1 << 16;
+  const SceneText scene = GetParam().scene();
+  Probe split(scene);
+  const Measured with = split.diffuse_rays(2).picture(kSamples);
+  const Measured without = Probe(scene).picture(kSamples);
+  for (int c = 0; c < 3; ++c) {
+    const float error = std::hypot(with.error[c], without.error[c]);
+    EXPECT_NEAR(with.mean[c], without.mean[c], 3 * error) << "channel " << c;
+    EXPECT_LE(with.error[c], 1.1f * without.error[c]) << "more rays have more noise";
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     CrossMethod, Guiding,
     ::testing::Values(Case{"closed_box", closed_box}, Case{"sky_window", sky_window},

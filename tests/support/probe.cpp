@@ -151,7 +151,7 @@ Probe& Probe::guided(int rays) {
   settings.path.diffuse_bounces = PathSettings::kAllBounces;
   const Bounces coarse = coarse_records(settings);
   guide_ = std::make_unique<DirectionGuide>(
-      world_->accel->bounds(), guide_points(*world_, coarse, settings, rays, 0, counts, monitor));
+      world_->accel->bounds(), guide_points(*world_, coarse, rays, 0, counts, monitor));
   settings_.guide = guide_->empty() ? nullptr : guide_.get();
   EXPECT_TRUE(settings_.guide) << "no points for a guide";
   return *this;

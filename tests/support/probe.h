@@ -76,6 +76,11 @@ class Probe {
   bool has_lit_surfaces() const { return settings_.lit != nullptr; }
   /// Diffuse bounces follow a guide from `rays` rays of each coarse record.
   Probe& guided(int rays = 128);
+  /// Rays of diffuse lobes at the first surface.
+  Probe& diffuse_rays(int rays) {
+    settings_.diffuse_rays = rays;
+    return *this;
+  }
   /// Lights are chosen by what reaches coarse records.
   Probe& learned_lights(int samples = 8);
 

@@ -30,6 +30,9 @@ struct PathSettings {
   std::optional<scene::TraceDepth> depth_behind = std::nullopt;
   bool finite_lights = true;  ///< false: only the environment and emissive surfaces give light
   Estimator estimator = Estimator::Mis;
+  /// Rays of a large diffuse lobe at the first surface, for every path; the material may ask for
+  /// more.
+  int diffuse_rays = 1;
   bool mesh_lights = true;  ///< false: emissive triangles are not sampled; the mean is the same
   /// Number of paths of the pixel in all. Sample counts of materials are per pixel, so with more
   /// paths each splits into fewer rays at its first surface.

@@ -20,6 +20,10 @@ namespace {
 /// 1/3 had the smallest product of relative squared error and instructions in rooms: .77 of that of
 /// 1 (bench/cycles).
 constexpr float kRoulettePower = 1.0f / 3;
+/// A path continues with kContinuation times the share of the expected indirect light that it still
+/// brings, at least kLeastContinuation. Of .3, .5, .8 and 1.2, 1.2 had the smallest product of
+/// squared error and time in a box and in a room lit by the sky.
+constexpr float kContinuation = 1.2f, kLeastContinuation = 0.2f;
 /// The path splits if two lobes have at least this share of the reflected light: choosing one of
 /// them would add noise to the other. A guess; .1 to .3 differ little.
 constexpr float kShareOfOwnRay = 0.2f;
@@ -142,7 +146,8 @@ bool Path::split(const Closure& closure, LobeChoice& choice) const {
     if (choice.rays[i] >= kShareOfOwnRay && !fewer) ++large;
     int n = 1;
     if (lobe.kind == LobeKind::Diffuse)
-      n = std::max(1, static_cast<int>(std::lround(lobe.controls.samples)));  // for every path
+      n = std::max(choice.rays[i] >= kShareOfOwnRay && !fewer ? settings_.diffuse_rays : 1,
+                   static_cast<int>(std::lround(lobe.controls.samples)));  // for every path
     else if (!is_delta(lobe.kind))
       n = rays_at_first(lobe.controls.samples, max_component(lobe.weight));
     rays[i] = static_cast<float>(n);
@@ -319,6 +324,24 @@ bool Path::russian_roulette() {
   return true;
 }
 
+/// Ends the path at random where the light that it would still find is known approximately. The
+/// path adds that light in any case; paths that continue subtract it again, such that the mean is
+/// that of their own light.
+bool Path::end_with_expected(const Rgb& expected) {
+  if (is_black(depth_.expected)) {
+    depth_.expected = expected;
+    return false;
+  }
+  float share = 0;  // the largest of the channels
+  for (int c = 0; c < 3; ++c)
+    if (expected[c] > 0) share = std::max(share, expected[c] / depth_.expected[c]);
+  const float p = clamp(kContinuation * share, kLeastContinuation, 1);
+  const bool ends = sampler_.next_1d() >= p;
+  add(aov_.at_vertex(Aov::Indirect), expected * (ends ? 1.0f : 1 - 1 / p), layer_of_rest());
+  if (!ends) dim(Rgb(1 / p));
+  return ends;
+}
+
 /// Lets the diffuse lobes follow the guide if all have the same normal.
 void Path::guide(const Closure& closure, LobeChoice& choice, const ShadingPoint& point) const {
   const Lobe* first = nullptr;
@@ -335,6 +358,12 @@ void Path::guide(const Closure& closure, LobeChoice& choice, const ShadingPoint&
 /// mirror ray does. False: the path ends here.
 bool Path::continue_path(const Closure& closure, const LobeChoice& choice, const Material& material,
                          ShadingPoint& point, int index, float u_rest, bool weighed) {
+  const Lobe& lobe = closure.lobes[index];
+  const bool expects = choice.guide && lobe.kind == LobeKind::Diffuse && !record_->has_layers();
+  if (expects &&
+      end_with_expected(light_.throughput * lobe.weight * choice.guide.light() * light_.occlusion *
+                        indirect_factor() * (closure.indirect_scale / choice.rays[index])))
+    return false;
   const auto sample =
       sample_lobe(closure, choice, index, point, point.wo(), u_rest, sampler_.next_2d());
   if (!sample) return false;
@@ -355,7 +384,7 @@ bool Path::continue_path(const Closure& closure, const LobeChoice& choice, const
     if (!seen) meet_environment();
     return false;
   }
-  return russian_roulette();
+  return expects || russian_roulette();
 }
 
 /// The lights that this vertex samples.

@@ -144,6 +144,7 @@ class Path {
     int diffuse_bounces = 0;
     bool after_diffuse = false;
     float importance = 1;  ///< product of lobe weights, not divided by probabilities
+    Rgb expected{0};       ///< light of the diffuse bounces from the first guided vertex on
   };
   /// Factors of light that is found later.
   struct LightState {
@@ -267,6 +268,7 @@ class Path {
   }
   bool depth_reached(LobeKind kind) const;
   bool russian_roulette();
+  bool end_with_expected(const Rgb& expected);
 
   bool allows(unsigned bits) const { return (visibility_ & bits) == bits; }
   /// Whether this vertex receives indirect light from surfaces and environment.

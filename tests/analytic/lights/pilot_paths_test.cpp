@@ -24,7 +24,7 @@ float ratio(const World& world, Estimator a, Estimator b, std::uint32_t seed = 0
   of_a.estimator = a;
   of_b.estimator = b;
   RayCounts counts;
-  return efficiency_ratio(world, {0, 0, 32, 32}, of_a, of_b, seed, counts);
+  return compare_pilots(world, {0, 0, 32, 32}, of_a, of_b, seed, counts).efficiency();
 }
 
 TEST(PilotPaths, PreferTheSettingsWithLessNoise) {
