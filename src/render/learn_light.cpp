@@ -75,6 +75,10 @@ DirectionGuide learn_directions(const World& world, const IntegratorPreparation&
 
 }  // namespace
 
+bool LearnedLight::is_valid(const World& world) const {
+  return lights.is_valid(world.light_sampler->chosen_lights().size()) && guide.is_valid();
+}
+
 LearnedLight learn_light(const World& world, const IntegratorPreparation& p,
                          const PathSettings& settings) {
   if (!world.options.guiding || p.paths < kLeastPaths) return {};

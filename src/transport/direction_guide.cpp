@@ -45,6 +45,18 @@ GuideDensity::GuideDensity(const GuideSquare& light) {
   const float scale = sum > 0 ? static_cast<float>((1 - kUnguided) * kGuideCells / sum) : 0;
   for (std::size_t i = 0; i < kGuideCells; ++i)
     density_[i] = sum > 0 ? kUnguided + scale * light[i] : 1;
+  sum_up();
+}
+
+GuideDensity GuideDensity::of_values(const GuideSquare& density) {
+  GuideDensity guide;
+  guide.density_ = density;
+  guide.sum_up();
+  return guide;
+}
+
+/// The shares that follow from the density.
+void GuideDensity::sum_up() {
   double rows = 0;
   for (std::size_t row = 0; row < kGuideSide; ++row) {
     const auto begin = density_.begin() + static_cast<std::ptrdiff_t>(row * kGuideSide);
@@ -84,6 +96,23 @@ DirectionGuide::DirectionGuide(const geom::Box3& bounds, std::span<const GuidePo
   };
   for (const GuideSquare& light : tree_.values(GuideSquare{}, light_of))
     densities_.emplace_back(light);
+  tree_.forget_points();
+}
+
+void DirectionGuide::set_densities(const std::vector<GuideSquare>& values) {
+  densities_.clear();
+  densities_.reserve(values.size());
+  for (const GuideSquare& density : values) densities_.push_back(GuideDensity::of_values(density));
+}
+
+bool DirectionGuide::is_valid() const {
+  const auto is_density = [](float value) {
+    return value >= GuideDensity::kUnguided && value <= kGuideCells;
+  };
+  return tree_.is_valid() && densities_.size() == tree_.cells() &&
+         std::all_of(densities_.begin(), densities_.end(), [&](const GuideDensity& density) {
+           return std::all_of(density.values().begin(), density.values().end(), is_density);
+         });
 }
 
 }  // namespace oriel

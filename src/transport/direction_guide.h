@@ -35,12 +35,19 @@ class GuideDensity {
   /// its reciprocal. Of .15, .25, .4 and .5, .4 had the smallest error in rooms.
   static constexpr float kUnguided = 0.4f;
 
+  /// Inputs:  density: as values() of another one returned.
+  static GuideDensity of_values(const GuideSquare& density);
+  const GuideSquare& values() const { return density_; }
+
   /// Returns: at least kUnguided; 1 on the average.
   float at(const Vec2& on_square) const { return density_[guide_cell(on_square)]; }
   /// Maps the uniform `u` to the square with that density, monotonically in each coordinate.
   Vec2 sample(const Vec2& u, float& density) const;
 
  private:
+  GuideDensity() = default;
+  void sum_up();
+
   GuideSquare density_;
   GuideSquare until_;                         ///< share of its row up to the end of each cell
   std::array<float, kGuideSide> rows_until_;  ///< share up to the end of each row
@@ -100,7 +107,21 @@ class DirectionGuide {
   LocalGuide at(const Vec3& position, const Vec3& normal) const;
   std::size_t bytes() const { return tree_.bytes() + densities_.size() * sizeof(GuideDensity); }
 
+  /// Writes the guide to a CheckpointWriter, or reads it from a CheckpointReader.
+  template <class Checkpoint>
+  void visit_state(Checkpoint& checkpoint) {
+    tree_.visit_state(checkpoint);
+    std::vector<GuideSquare> values;
+    for (const GuideDensity& density : densities_) values.push_back(density.values());
+    checkpoint.list(values);
+    if constexpr (Checkpoint::kReads) set_densities(values);
+  }
+  /// Whether it is a guide; of one that was read.
+  bool is_valid() const;
+
  private:
+  void set_densities(const std::vector<GuideSquare>& values);
+
   SurfaceTree tree_;
   std::vector<GuideDensity> densities_;
 };

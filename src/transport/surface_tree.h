@@ -43,6 +43,7 @@ class SurfaceTree {
 
   /// A value for each cell: mean(indices of points, above) of a node and the value of the node
   /// above, from all points down. `all` stands above that of all points.
+  /// Not after forget_points().
   template <class Value, class Mean>
   std::vector<Value> values(const Value& all, const Mean& mean) const {
     std::vector<Value> of_nodes, of_cells(cells_, all);
@@ -58,6 +59,20 @@ class SurfaceTree {
     }
     return of_cells;
   }
+
+  /// Releases the memory of the points, which only values() needs.
+  void forget_points();
+
+  /// Writes the tree without its points to a CheckpointWriter, or reads it from a CheckpointReader.
+  template <class Checkpoint>
+  void visit_state(Checkpoint& checkpoint) {
+    checkpoint.list(nodes_);
+    std::uint64_t cells = cells_;
+    checkpoint.value(cells);
+    cells_ = static_cast<std::size_t>(cells);
+  }
+  /// Whether find() ends at a cell for every place; of a tree that was read.
+  bool is_valid() const;
 
  private:
   static constexpr std::size_t kSides = 6;
