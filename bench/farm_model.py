@@ -6,6 +6,7 @@
 
 Rays and processor times are compared, not wall-clock times, so that other processes do not matter much. The sum of
 the times of N parts is fitted to work + N * start from 1, 2 and 4 parts; the sum for 8 parts tests the model.
+Maps and what paths learn are computed once, before the parts (--maps-only), and their time is not part of the sums.
 """
 import json
 import os
@@ -49,13 +50,20 @@ def fit(counts, sums):
 def measure(program, scene, size, samples, folder):
     options = ["--size", size, "--samples", samples, "--json", "--threads", 1]  # idle threads use processor time
     sums, rays, tails = {}, {}, {}
+    maps = ["--maps", f"{folder}/maps"]
+    maps_time, maps_rays = work_of([program, "render", scene, "-o", f"{folder}/0.exr", *options,
+                                    "--maps-only", f"{folder}/maps"])
+    bytes_of_maps = sum(f.stat().st_size for f in pathlib.Path(folder, "maps").iterdir())
+    print(f"maps, once: {maps_time:.2f} s of processor time, {maps_rays} rays, {bytes_of_maps / 1e6:.1f} MB")
     for count in PARTS:
         name = f"{folder}/{count}"
-        works = [work_of([program, "render", scene, "-o", f"{name}.exr", *options, "--part", f"{k}/{count}"])
+        works = [work_of([program, "render", scene, "-o", f"{name}.exr", *options, *maps,
+                          "--part", f"{k}/{count}"])
                  for k in range(1, count + 1)]
         sums[count] = sum(time for time, _ in works)
-        rays[count] = sum(r for _, r in works)
-        tails[count] = max(r for _, r in works) * count / max(rays[count], 1)
+        own = [r - maps_rays for _, r in works]  # each counts those of the maps
+        rays[count] = sum(own)
+        tails[count] = max(own) * count / max(rays[count], 1)
         parts = [f"{name}.part-{k}-of-{count}" for k in range(1, count + 1)]
         bytes_of_parts = sum(os.path.getsize(p) for p in parts)
         merge, _ = work_of([program, "merge", *parts, "-o", f"{name}.exr", "-q"])
@@ -64,7 +72,7 @@ def measure(program, scene, size, samples, folder):
     with open(f"{folder}/1.exr", "rb") as one, open(f"{folder}/8.exr", "rb") as eight:
         assert one.read() == eight.read(), "pictures differ"
     print(f"rays of 8 parts relative to one: {rays[8] / max(rays[1], 1):.6f}")
-    return sums, tails[8], bytes_of_parts / merge, bytes_of_parts
+    return sums, maps_time, tails[8], bytes_of_parts / merge, bytes_of_parts
 
 
 def main():
@@ -75,12 +83,12 @@ def main():
     size = sys.argv[3] if len(sys.argv) > 3 else "480x320"
     samples = int(sys.argv[4]) if len(sys.argv) > 4 else 64
     with tempfile.TemporaryDirectory() as folder:
-        sums, tail, bandwidth, part_bytes = measure(program, scene, size, samples, folder)
+        sums, maps, tail, bandwidth, part_bytes = measure(program, scene, size, samples, folder)
     work, start = fit(PARTS[:3], [sums[n] for n in PARTS[:3]])
     predicted = work + 8 * start
     print(f"model: work {work:.2f} s, start {start:.2f} s for each part; 8 parts: predicted {predicted:.2f} s, "
           f"measured {sums[8]:.2f} s ({100 * (sums[8] / predicted - 1):+.1f} %)")
-    print(f"useful share of the processor time at 8 parts: {work / sums[8]:.3f}")
+    print(f"useful share of the processor time at 8 parts: {work / (sums[8] + maps):.3f}")
     width, height = (int(n) for n in size.split("x"))
     rate = width * height * samples / work
     print(f"{rate / 1e6:.3f} million samples/s for each core; merge {bandwidth / 1e6:.0f} MB/s")

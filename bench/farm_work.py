@@ -5,12 +5,14 @@
     bench/farm_work.py SCENE [--oriel PROGRAM] [--parts N] [--ranks 1,2,4,8] [-- RENDER OPTIONS]
 
 Parts: rays of the costliest part, relative to the mean of all parts.
-Ranks: processor time of samples with one rank, and the share of all processor time that samples take.
+Ranks: processor time, its share of samples and of the start of the ranks (scene, MPI, maps), and the work of one
+process relative to it; memory of the ranks.
 """
 import argparse
 import json
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -42,15 +44,22 @@ def main():
                     for k in range(1, a.parts + 1)]
             print(f"{a.parts} parts: the costliest has {max(rays) * a.parts / sum(rays):.4f} "
                   f"of the mean rays, the cheapest {min(rays) * a.parts / sum(rays):.4f}", flush=True)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        run([*render, "--threads", "1"])
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        alone = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        print(f"1 process: {alone:.1f} s of processor time, {after.ru_maxrss / 1e3:.0f} MB", flush=True)
         for ranks in [int(r) for r in a.ranks.split(",") if r]:
             if ranks == 1:
                 continue
             lines = run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks),
                          *render, "--threads", "1"])
             work = event(lines, "ranks")
-            print(f"{ranks} ranks: {work['cpu_seconds']:.1f} s of processor time, "
-                  f"{work['useful_cpu_seconds'] / work['cpu_seconds']:.4f} of it for samples, "
-                  f"{max(work['memory']) / 1e6:.0f} MB in the largest rank", flush=True)
+            total, start = work["cpu_seconds"], work["start_cpu_seconds"]
+            memory = [m / 1e6 for m in work["memory"]]
+            print(f"{ranks} ranks: {total:.1f} s of processor time, {work['useful_cpu_seconds'] / total:.4f} of it "
+                  f"for samples, {start / total:.4f} to start; efficiency {alone / total:.4f}; {memory[0]:.0f} MB in "
+                  f"rank 0, {min(memory[1:]):.0f} to {max(memory[1:]):.0f} MB in the others", flush=True)
 
 
 if __name__ == "__main__":

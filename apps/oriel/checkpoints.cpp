@@ -233,6 +233,7 @@ bool Checkpoints::write_file(const CheckpointLabels& labels, RenderSession* sess
   }
   write_seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
   schedule();
+  write_failed_ = !failure.empty();
   if (failure.empty()) return true;
   diagnostics_.report(
       at_end ? Severity::Error : Severity::Warning, "OR-RN-073", {},
@@ -240,6 +241,11 @@ bool Checkpoints::write_file(const CheckpointLabels& labels, RenderSession* sess
                   at_end ? "the render cannot be resumed from here"
                          : "it is tried again after the next interval"));
   return false;
+}
+
+bool Checkpoints::can_resume() const {
+  return writes() && !write_failed_ &&
+         first_bytes(request_.file, kCheckpointMagic.size()) == kCheckpointMagic;
 }
 
 void Checkpoints::remove() {

@@ -86,6 +86,8 @@ class Checkpoints {
   /// Writes the state while the session is paused, or with `at_end` after it ended. Returns false
   /// if this fails, which is reported.
   bool write(RenderSession& session, bool at_end = false);
+  /// Whether the file exists and contains the last state that was to be written.
+  bool can_resume() const;
   /// Duration of the last write.
   double write_seconds() const { return write_seconds_; }
   /// After a picture of an animation that is not the last one.
@@ -110,6 +112,7 @@ class Checkpoints {
   bool resumed_is_finished_ = false;
   CheckpointLabels picture_labels_;  ///< of the picture that is rendered
   double write_seconds_ = 0;
+  bool write_failed_ = false;  ///< the last one
   std::atomic<Clock::time_point> next_;
 };
 

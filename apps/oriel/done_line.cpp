@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "image/texture_statistics.h"
 #include "progress_line.h"
 #include "scene_file.h"
@@ -40,6 +42,12 @@ void print_summary(const RenderSession& session, StopReason reason,
              reason == StopReason::Cancelled ? "interrupted, the picture so far: " : "",
              fmt::join(files, ", "), p.mean_samples,
              p.noise ? fmt::format(", noise {:.4f}", *p.noise) : "", duration_text(p.elapsed));
+}
+
+bool is_complete(const Diagnostics& diagnostics) {
+  return std::none_of(diagnostics.all().begin(), diagnostics.all().end(), [](const Diagnostic& d) {
+    return d.severity == Severity::Error && d.code != "OR-SDK-020";
+  });
 }
 
 }  // namespace oriel::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last line of a picture that --json prints.
+// The end of a picture: its last line, and whether it is complete.
 #pragma once
 
 #include <string>
@@ -16,5 +16,9 @@ void print_done_line(const RenderSession& session, StopReason reason,
 /// One line for people: files, samples, noise and time. Nothing without files.
 void print_summary(const RenderSession& session, StopReason reason,
                    const std::vector<std::string>& files);
+
+/// Whether nothing that was asked for is missing. Errors that shaders report (mi_error) do not
+/// count: the shader has returned a result all the same.
+bool is_complete(const Diagnostics& diagnostics);
 
 }  // namespace oriel::app

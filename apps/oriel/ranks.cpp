@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <tbb/task_arena.h>
+#include <time.h>
 #include <unistd.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <thread>
@@ -21,9 +22,6 @@ namespace oriel::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A look for messages takes a few microseconds.
-constexpr std::chrono::milliseconds kBetweenLooks{1};
 
 int number_in_environment(const char* name) {
   const char* text = std::getenv(name);
@@ -79,6 +77,17 @@ std::string host_name() {
 
 }  // namespace
 
+double process_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
+}
+
+void LookPause::wait() {
+  std::this_thread::sleep_for(next_);
+  next_ = std::min(2 * next_, kLongest);
+}
+
 std::unique_ptr<Ranks> Ranks::join() {
   const int processes = processes_of_job();
   if (processes == 0) require_known_step();
@@ -95,7 +104,14 @@ std::unique_ptr<Ranks> Ranks::join() {
         fmt::format("the job has {} processes, of which MPI knows {}; start them with "
                     "mpirun or srun --mpi=pmix",
                     processes, ranks->count_));
-  ranks->greet();
+  try {
+    ranks->greet();
+  } catch (const UserError& e) {
+    // Before the job ends, and with it this process.
+    fmt::print(stderr, "oriel: {}\n", e.what());
+    mpi->abort(kExitFailed);
+    throw;
+  }
   return ranks;
 }
 
@@ -121,7 +137,8 @@ void Ranks::send(int to, MessageKind kind, std::string bytes) {
 }
 
 void Ranks::flush() {
-  while (mpi_->is_sending()) std::this_thread::sleep_for(kBetweenLooks);
+  LookPause pause;
+  while (mpi_->is_sending()) pause.wait();
 }
 
 void Ranks::put_back(std::deque<RankMessage> messages) { waiting_ = std::move(messages); }
@@ -143,9 +160,10 @@ std::optional<RankMessage> Ranks::receive() {
 }
 
 RankMessage Ranks::wait() {
+  LookPause pause;
   while (true) {
     if (auto message = receive()) return std::move(*message);
-    std::this_thread::sleep_for(kBetweenLooks);
+    pause.wait();
   }
 }
 
@@ -179,16 +197,18 @@ std::vector<std::string> Ranks::to_leader(const std::string& words) {
   return all;
 }
 
+void Ranks::end_start() {
+  if (work_.start_seconds == 0) work_.start_seconds = process_seconds();
+}
+
 std::vector<RankWork> Ranks::finish() {
+  work_.seconds = process_seconds();
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
-  };
-  work_.seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   work_.memory = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
   ByteWriter own;
   own.value(work_.useful_seconds);
+  own.value(work_.start_seconds);
   own.value(work_.seconds);
   own.value(work_.memory);
   std::vector<RankWork> all;
@@ -196,6 +216,7 @@ std::vector<RankWork> Ranks::finish() {
     ByteReader in(bytes);
     RankWork& work = all.emplace_back();
     in.value(work.useful_seconds);
+    in.value(work.start_seconds);
     in.value(work.seconds);
     in.value(work.memory);
   }

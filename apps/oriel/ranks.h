@@ -2,6 +2,7 @@
 // The processes that render one picture together, connected by MPI.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -14,7 +15,7 @@ struct OrielMpi;
 namespace oriel::app {
 
 /// Messages between ranks.
-enum class MessageKind : int { Hello, Word, Tiles, Done, EndOfPicture, Bye };
+enum class MessageKind : int { Hello, Word, Tiles, Done, Interrupted, EndOfPicture };
 
 struct RankMessage {
   int from = 0;
@@ -22,12 +23,28 @@ struct RankMessage {
   std::string bytes;
 };
 
+/// Pauses between looks for messages, longer the longer none comes: a look uses some microseconds
+/// of the processor.
+class LookPause {
+ public:
+  void wait();
+  void reset() { next_ = kShortest; }
+
+ private:
+  static constexpr std::chrono::milliseconds kShortest{1}, kLongest{16};
+  std::chrono::milliseconds next_ = kShortest;
+};
+
 /// Work of a rank.
 struct RankWork {
-  double useful_seconds = 0;  ///< CPU time of samples
+  double useful_seconds = 0;  ///< CPU time of maps, samples and pictures, as in one process
+  double start_seconds = 0;   ///< CPU time of the process before its first sample
   double seconds = 0;         ///< CPU time of the process
   std::uint64_t memory = 0;   ///< bytes at most
 };
+
+/// Processor time of this process so far.
+double process_seconds();
 
 /// The ranks of this job. Rank 0 leads: it reads and writes all files of the render.
 ///
@@ -63,6 +80,8 @@ class Ranks {
   bool from_leader(bool decision) { return from_leader(std::string(decision ? "1" : "0")) == "1"; }
   /// In rank 0 the words of all ranks, in order of ranks; elsewhere nothing.
   std::vector<std::string> to_leader(const std::string& words);
+  /// Notes that this rank is ready to draw samples.
+  void end_start();
   /// Adds to the work of this rank.
   void add_useful_seconds(double seconds) { work_.useful_seconds += seconds; }
 
@@ -79,6 +98,21 @@ class Ranks {
   std::deque<RankMessage> waiting_;
   RankWork work_;
   bool finished_ = false;
+};
+
+/// Counts the processor time of a block as useful work of a rank. Inputs:  ranks: may be null.
+class UsefulWork {
+ public:
+  explicit UsefulWork(Ranks* ranks) : ranks_(ranks), begin_(ranks ? process_seconds() : 0) {}
+  ~UsefulWork() {
+    if (ranks_) ranks_->add_useful_seconds(process_seconds() - begin_);
+  }
+  UsefulWork(const UsefulWork&) = delete;
+  UsefulWork& operator=(const UsefulWork&) = delete;
+
+ private:
+  Ranks* ranks_;
+  double begin_;
 };
 
 }  // namespace oriel::app

@@ -73,14 +73,17 @@ void add_checkpoint_options(CLI::App& app, RenderArguments& a) {
                  "--checkpoint names another one. If --checkpoint names FILE and it does not "
                  "exist, the render starts")
       ->type_name("FILE");
+  app.add_flag("--stop-at-usr1", a.stop_at_usr1,
+               "SIGUSR1 writes the checkpoint and ends the render with status 75 (default: the "
+               "render continues)");
 }
 
 /// The processor time of all ranks.
 void print_work(const std::vector<RankWork>& ranks, const RenderArguments& a) {
-  double useful = 0, all = 0;
+  double useful = 0, all = 0, start = 0;
   nlohmann::json memory = nlohmann::json::array();
   for (const RankWork& work : ranks) {
-    useful += work.useful_seconds, all += work.seconds;
+    useful += work.useful_seconds, all += work.seconds, start += work.start_seconds;
     memory.push_back(work.memory);
   }
   if (a.json)
@@ -88,6 +91,7 @@ void print_work(const std::vector<RankWork>& ranks, const RenderArguments& a) {
                 {"ranks", ranks.size()},
                 {"cpu_seconds", all},
                 {"useful_cpu_seconds", useful},
+                {"start_cpu_seconds", start},
                 {"memory", memory}});
   else if (!a.quiet)
     fmt::print(stderr, "{} ranks: {:.1f} s of processor time, {:.1f} % of it for samples\n",
@@ -104,7 +108,8 @@ int run_with_ranks(RenderArguments a, Ranks& ranks) try {
   }
   RenderPlan plan = render_plan(a);
   plan.ranks = &ranks;
-  const int code = render_scene(a, plan);
+  // Of rank 0, which knows of the checkpoint.
+  const int code = std::atoi(ranks.from_leader(std::to_string(render_scene(a, plan))).c_str());
   const std::vector<RankWork> work = ranks.finish();
   if (!work.empty()) print_work(work, a);
   return code;

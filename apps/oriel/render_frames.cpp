@@ -103,6 +103,11 @@ class FrameRenderer {
   }
 
   int exit_code() const { return exit_code_; }
+  /// Of an interrupted render. A part that was interrupted before its first pixel starts again.
+  int exit_code_if_interrupted() const {
+    const bool resumes = plan_.part || (checkpoints_->can_resume() && is_complete(diagnostics_));
+    return resumes ? kExitResume : kExitFailed;
+  }
   bool goes_on() const { return agreed(!interrupted()); }
 
   /// Unloads the shader libraries, whose last functions may still report errors.
@@ -355,6 +360,7 @@ class FrameRenderer {
     const double since = seconds_since(last_write_);
     if (since < kSecondsBetweenWrites || since * kWriteShare < write_seconds_) return;
     if (p.remaining && *p.remaining < kSecondsBetweenWrites) return;
+    const UsefulWork work(plan_.ranks);
     const Clock::time_point start = Clock::now();
     pictures_.write_pass(files_, writer());
     last_write_ = Clock::now();
@@ -362,6 +368,7 @@ class FrameRenderer {
   }
 
   void write_pictures(StopReason reason) {
+    const UsefulWork work(plan_.ranks);
     const Progress p = session_->progress();
     const bool complete = p.pass > 0 || reason != StopReason::Cancelled;
     state_ = complete                              ? PictureState::Complete
@@ -455,14 +462,6 @@ class FrameRenderer {
   bool unit_is_known_ = false;  ///< cd/m2 of a pixel unit
 };
 
-/// Whether nothing that was asked for is missing. Errors that shaders report (mi_error) do not
-/// count: the shader has returned a result all the same.
-bool is_complete(const Diagnostics& diagnostics) {
-  return std::none_of(diagnostics.all().begin(), diagnostics.all().end(), [](const Diagnostic& d) {
-    return d.severity == Severity::Error && d.code != "OR-SDK-020";
-  });
-}
-
 }  // namespace
 
 int render_frames(mi::Reader& reader, const RenderArguments& arguments, const RenderPlan& plan,
@@ -470,7 +469,7 @@ int render_frames(mi::Reader& reader, const RenderArguments& arguments, const Re
                   DiagnosticPrinter& printer) {
   scene::Scene scene;
   catch_interrupts();
-  if (plan.part) end_at_checkpoint_signal();
+  if (plan.part || arguments.stop_at_usr1) end_at_checkpoint_signal();
   FrameRenderer renderer(arguments, plan, scene, diagnostics, printer);
   int frames = 0, rendered = 0;
   while (renderer.goes_on() && plan.frames.goes_on_from(frames + 1) && reader.next_frame(scene)) {
@@ -486,8 +485,7 @@ int render_frames(mi::Reader& reader, const RenderArguments& arguments, const Re
   renderer.close();
   printer.print_new();
   if (renderer.exit_code() != kExitDone) return renderer.exit_code();
-  // A part that was interrupted before its first pixel starts again.
-  if (interrupted()) return plan.part ? kExitResume : kExitFailed;
+  if (interrupted()) return renderer.exit_code_if_interrupted();
   if (frames == 0)
     throw UserError(fmt::format("{}: the scene has no render statement, so there is nothing to do",
                                 arguments.scene.path));

@@ -47,6 +47,7 @@ struct RenderArguments {
   std::string exr;  ///< precision and compression of EXR files
   bool timestamps = false;
   std::string checkpoint, resume;  ///< see checkpoint_request()
+  bool stop_at_usr1 = false;       ///< SIGUSR1 ends the render after its checkpoint
   std::string part;                ///< K/N
   std::string maps, maps_only;     ///< folders
   int bits = 0;                    ///< per channel of PNG and TIFF files; 0 = their default
@@ -75,7 +76,8 @@ struct RenderPlan {
 /// Renders those frames that the plan asks for, in order.
 ///
 /// Inputs:  edit: what is done to the scene before each of them.
-/// Returns: the exit code; kExitFailed as well when a signal ended it.
+/// Returns: the exit code. If a signal ended the render: kExitResume if the same command continues
+///          it, kExitFailed otherwise.
 /// Errors:  UserError when nothing is rendered at all.
 /// Checked: tests/cli
 int render_frames(mi::Reader& reader, const RenderArguments& arguments, const RenderPlan& plan,

@@ -18,17 +18,17 @@
 #include "base/temporary_folder.h"
 #include "checkpoint_labels.h"
 #include "command.h"
+#include "interrupt.h"
 #include "render_frames.h"
 
 namespace oriel::app {
 namespace {
 
 constexpr std::size_t kMaxPortion = 256, kPortionsOfRank = 2;
-constexpr std::chrono::milliseconds kBetweenMessages{1};
 
-double cpu_seconds(clockid_t clock) {
+double thread_seconds() {
   timespec t{};
-  clock_gettime(clock, &t);
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
 }
 
@@ -39,18 +39,46 @@ void visit_rays(Stream& stream, Counts& rays) {
     stream.value(*count);
 }
 
-/// A message with tiles and their pixels.
-std::string tiles_message(std::int32_t picture, const std::vector<int>& tiles,
-                          const std::string& pixels, const RayCounts& rays) {
-  ByteWriter out;
-  out.value(picture);
-  out.list(tiles);
-  visit_rays(out, rays);
-  return out.take() + pixels;
-}
+/// Tiles and their pixels, as messages carry them.
+struct TilesMessage {
+  std::int32_t picture = 0;
+  std::vector<int> held;   ///< tiles whose pixels the receiver has: their targets are sent
+  std::vector<int> tiles;  ///< other tiles
+  RayCounts rays;
+  std::string targets, pixels;
 
-/// Size of the part of that message before the pixels.
-std::size_t head_of_message(std::size_t tiles) { return 4 + 8 + tiles * sizeof(int) + 7 * 8; }
+  std::string bytes() const {
+    ByteWriter out;
+    out.value(picture);
+    out.list(held);
+    out.list(tiles);
+    visit_rays(out, rays);
+    out.value(std::uint64_t{targets.size()});
+    return out.take() + targets + pixels;
+  }
+};
+
+/// Its beginning and its data, which refers to the message.
+struct ReceivedTiles {
+  TilesMessage head;
+  std::string_view targets, pixels;
+};
+
+ReceivedTiles read_tiles(const std::string& bytes) {
+  ReceivedTiles received;
+  TilesMessage& head = received.head;
+  ByteReader in(bytes);
+  in.value(head.picture);
+  in.list(head.held);
+  in.list(head.tiles);
+  visit_rays(in, head.rays);
+  std::uint64_t targets = 0;
+  in.value(targets);
+  const std::string_view data = in.rest();
+  received.targets = data.substr(0, static_cast<std::size_t>(targets));
+  received.pixels = data.substr(received.targets.size());
+  return received;
+}
 
 }  // namespace
 
@@ -68,12 +96,23 @@ void require_same_session(Ranks& ranks, const RenderArguments& arguments,
   }
 }
 
+TileLeader::TileLeader(Ranks& ranks, RenderSession& session, int picture)
+    : ranks_(ranks),
+      session_(session),
+      picture_(picture),
+      holder_(static_cast<std::size_t>(
+                  TileGrid(session.film().width(), session.film().height()).count()),
+              -1) {}
+
 bool share_maps(Ranks& ranks, RenderSession& session, const Progressive::Callbacks& callbacks,
                 const std::atomic<bool>* cancel) {
   const TemporaryFolder folder;
   const std::string file = folder.file("maps");
   if (ranks.leads()) {
-    const bool done = session.can_save() || session.prepare(callbacks, cancel);
+    const bool done = [&] {
+      const UsefulWork work(&ranks);
+      return session.can_save() || session.prepare(callbacks, cancel);
+    }();
     if (!ranks.from_leader(done)) return false;
     CheckpointWriter out(file, {});
     session.save_maps(out);
@@ -100,8 +139,13 @@ bool TileLeader::is_away(int tile) const {
 std::optional<int> TileLeader::next_tile() {
   const std::lock_guard lock(mutex_);
   if (queue_.empty()) return std::nullopt;
-  const int tile = queue_.back();
-  queue_.pop_back();
+  // Tiles whose pixels another rank has are left to it.
+  auto found = std::find_if(queue_.rbegin(), queue_.rend(),
+                            [&](int tile) { return holder_[static_cast<std::size_t>(tile)] <= 0; });
+  if (found == queue_.rend()) found = queue_.rbegin();
+  const int tile = *found;
+  queue_.erase(std::next(found).base());
+  holder_[static_cast<std::size_t>(tile)] = 0;
   return tile;
 }
 
@@ -111,29 +155,47 @@ TileLeader::Portion TileLeader::next_portion(int rank) {
   const std::size_t share = queue_.size() / (2 * static_cast<std::size_t>(ranks_.count()));
   const std::size_t size =
       std::min(std::clamp(share, std::min(threads, kMaxPortion), kMaxPortion), queue_.size());
-  Portion portion(queue_.rbegin(), queue_.rbegin() + static_cast<std::ptrdiff_t>(size));
-  queue_.resize(queue_.size() - size);
+  Portion portion;
+  // First the tiles whose pixels the rank has, then others.
+  for (const bool held : {true, false})
+    for (auto i = queue_.rbegin(); i != queue_.rend() && portion.size() < size; ++i)
+      if ((holder_[static_cast<std::size_t>(*i)] == rank) == held) portion.push_back(*i);
+  std::erase_if(queue_, [&](int tile) {
+    return std::find(portion.begin(), portion.end(), tile) != portion.end();
+  });
   return portion;
 }
 
+void TileLeader::send(int rank, const Portion& portion) {
+  TilesMessage message;
+  message.picture = picture_;
+  for (const int tile : portion)
+    (holder_[static_cast<std::size_t>(tile)] == rank ? message.held : message.tiles)
+        .push_back(tile);
+  message.targets = session_.pack_targets(message.held);
+  message.pixels = session_.pack_tiles(message.tiles);
+  ranks_.send(rank, MessageKind::Tiles, message.bytes());
+}
+
 void TileLeader::take(const RankMessage& message) {
+  // A signal that one rank got ends the render, as if rank 0 had got it.
+  if (message.kind == MessageKind::Interrupted) interrupted() = true;
   if (message.kind != MessageKind::Done) return;
-  ByteReader in(message.bytes);
-  std::vector<int> tiles;
-  RayCounts rays;
-  std::int32_t picture = 0;
-  in.value(picture);
-  if (picture != picture_) return;  // one that ended before
-  in.list(tiles);
-  visit_rays(in, rays);
+  const ReceivedTiles received = read_tiles(message.bytes);
+  if (received.head.picture != picture_) return;  // one that ended before
+  const std::vector<int>& tiles = received.head.tiles;
   std::vector<Portion>& away = away_[message.from];
-  if (away.empty() || away.front() != tiles) throw std::runtime_error("a rank sent other tiles");
+  if (away.empty() ||
+      !std::is_permutation(tiles.begin(), tiles.end(), away.front().begin(), away.front().end()))
+    throw std::runtime_error("a rank sent other tiles");
   away.erase(away.begin());
-  session_.add_tiles(tiles, std::string_view(message.bytes).substr(head_of_message(tiles.size())),
-                     rays);
+  session_.add_tiles(tiles, received.pixels, received.head.rays);
+  const std::lock_guard lock(mutex_);
+  for (const int tile : tiles) holder_[static_cast<std::size_t>(tile)] = message.from;
 }
 
 void TileLeader::serve(const std::function<bool()>& stops) {
+  LookPause pause;
   while (!stops()) {
     bool idle = true;
     while (const auto message = ranks_.receive()) take(*message), idle = false;
@@ -143,21 +205,23 @@ void TileLeader::serve(const std::function<bool()>& stops) {
       while (away.size() < kPortionsOfRank) {
         Portion portion = next_portion(rank);
         if (portion.empty()) break;
-        ranks_.send(rank, MessageKind::Tiles,
-                    tiles_message(picture_, portion, session_.pack_tiles(portion), {}));
+        send(rank, portion);
         away.push_back(std::move(portion));
         idle = false;
       }
       waits |= !away.empty();
     }
-    const std::lock_guard lock(mutex_);
-    if (!waits && queue_.empty()) return;
-    if (idle) std::this_thread::sleep_for(kBetweenMessages);
+    if (const std::lock_guard lock(mutex_); !waits && queue_.empty()) return;
+    if (idle)
+      pause.wait();
+    else
+      pause.reset();
   }
 }
 
 void TileLeader::spread(const std::vector<int>& tiles, const std::function<void(int)>& render_tile,
                         const std::function<bool()>& stops) {
+  ranks_.end_start();
   queue_.clear();
   std::copy_if(tiles.rbegin(), tiles.rend(), std::back_inserter(queue_),
                [&](int tile) { return !is_away(tile); });
@@ -171,13 +235,13 @@ void TileLeader::spread(const std::vector<int>& tiles, const std::function<void(
   });
   const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   parallel_for(threads, [&](std::size_t) {
-    const double begin = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
+    const double begin = thread_seconds();
     while (!stops()) {
       const std::optional<int> tile = next_tile();
       if (!tile) break;
       render_tile(*tile);
     }
-    const double used = cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - begin;
+    const double used = thread_seconds() - begin;
     const std::lock_guard lock(mutex_);
     ranks_.add_useful_seconds(used);
   });
@@ -191,6 +255,7 @@ void TileLeader::end() {
 }
 
 void serve_tiles(Ranks& ranks, RenderSession& session) {
+  ranks.end_start();
   std::deque<RankMessage> waiting;
   while (true) {
     if (waiting.empty()) waiting.push_back(ranks.wait());
@@ -206,18 +271,24 @@ void serve_tiles(Ranks& ranks, RenderSession& session) {
     const RankMessage message = std::move(waiting.front());
     waiting.pop_front();
     if (message.kind != MessageKind::Tiles) continue;
-    ByteReader in(message.bytes);
-    std::int32_t picture = 0;
-    std::vector<int> tiles;
-    in.value(picture);
-    in.list(tiles);
-    session.unpack_tiles(tiles,
-                         std::string_view(message.bytes).substr(head_of_message(tiles.size())));
-    const double begin = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
-    const RayCounts rays = session.draw_tiles(tiles);
-    ranks.add_useful_seconds(cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - begin);
-    ranks.send(0, MessageKind::Done,
-               tiles_message(picture, tiles, session.pack_tiles(tiles), rays));
+    const ReceivedTiles received = read_tiles(message.bytes);
+    session.unpack_targets(received.head.held, received.targets);
+    session.unpack_tiles(received.head.tiles, received.pixels);
+    TilesMessage answer;
+    answer.picture = received.head.picture;
+    answer.tiles = received.head.held;
+    answer.tiles.insert(answer.tiles.end(), received.head.tiles.begin(), received.head.tiles.end());
+    {
+      const UsefulWork work(&ranks);
+      answer.rays = session.draw_tiles(answer.tiles, &interrupted());
+    }
+    if (interrupted()) {  // the tiles lack samples; rank 0 renders them again
+      ranks.send(0, MessageKind::Interrupted, {});
+      ranks.flush();
+      continue;
+    }
+    answer.pixels = session.pack_tiles(answer.tiles);
+    ranks.send(0, MessageKind::Done, answer.bytes());
     ranks.flush();
   }
 }

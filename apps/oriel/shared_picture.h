@@ -27,15 +27,15 @@ bool share_maps(Ranks& ranks, RenderSession& session, const Progressive::Callbac
 ///
 /// Model:   tiles with most samples first, in portions that become smaller toward the end of a
 ///          pass. Every rank has one portion more than it renders, so that it does not wait for
-///          messages. The pixels of a tile are sent with the tile and return with all their
-///          samples: the film depends on no order. If the render pauses or is cancelled, tiles of
-///          other ranks count as not rendered until they return.
+///          messages. The pixels of a tile are sent with the tile, unless the rank rendered them in
+///          the pass before, and return with all their samples: the film depends on no order. If
+///          the render pauses or is cancelled, tiles of other ranks count as not rendered until
+///          they return.
 /// Checked: Mpi.* in tests/faults
 class TileLeader {
  public:
   /// Inputs:  picture: another number for each picture of the job.
-  TileLeader(Ranks& ranks, RenderSession& session, int picture)
-      : ranks_(ranks), session_(session), picture_(picture) {}
+  TileLeader(Ranks& ranks, RenderSession& session, int picture);
   /// For Progressive::Callbacks::spread.
   void spread(const std::vector<int>& tiles, const std::function<void(int)>& render_tile,
               const std::function<bool()>& stops);
@@ -46,6 +46,7 @@ class TileLeader {
   using Portion = std::vector<int>;
   std::optional<int> next_tile();
   Portion next_portion(int rank);
+  void send(int rank, const Portion& portion);
   void serve(const std::function<bool()>& stops);
   void take(const RankMessage& message);
   bool is_away(int tile) const;
@@ -55,6 +56,7 @@ class TileLeader {
   std::int32_t picture_;
   std::mutex mutex_;
   std::vector<int> queue_;                    ///< tiles, the next one last
+  std::vector<int> holder_;                   ///< of each tile: the rank that has its pixels
   std::map<int, std::vector<Portion>> away_;  ///< portions of each rank, in the order of sending
 };
 

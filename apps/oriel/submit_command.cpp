@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 struct SubmitArguments {
   PackArguments pack;
   std::string output, job, frames;
-  int parts = 0, retries = 2;
+  int parts = 0, retries = 2, mpi = 0;
   farm::JobResources resources;
   std::vector<std::string> sbatch, render;
   std::string stage;
@@ -39,10 +39,10 @@ constexpr int kMaxArraySize = 1001;
 constexpr int kPartsOfStills = 4;
 
 /// Words of render that the job sets itself.
-constexpr const char* kOwnOptions[] = {"-o",        "--output",     "--part",    "--frames",
-                                       "--resume",  "--checkpoint", "--threads", "--skip-existing",
-                                       "--maps",    "--maps-only",  "--live",    "--json",
-                                       "--denoise", "--time"};
+constexpr const char* kOwnOptions[] = {
+    "-o",           "--output",  "--part",          "--frames", "--resume",
+    "--checkpoint", "--threads", "--skip-existing", "--maps",   "--maps-only",
+    "--live",       "--json",    "--denoise",       "--time",   "--stop-at-usr1"};
 
 /// The name of the picture without its suffix and without # for the frame.
 std::string plain_stem(const std::string& output) {
@@ -121,7 +121,9 @@ farm::Job make_job(const SubmitArguments& a, const farm::PackReport& packed,
   const std::string output = fs::absolute(a.output).lexically_normal().string();
   job.output = output;
   for (const int frame : job.frames) job.outputs.push_back(frame_path(output, frame));
-  const int still = a.resources.nodes > 0 ? a.resources.nodes : kPartsOfStills;
+  job.mpi = a.mpi;
+  int still = a.resources.nodes > 0 ? a.resources.nodes : kPartsOfStills;
+  if (a.mpi > 0) still = 1;
   job.parts = a.parts > 0 ? a.parts : job.frames.size() == 1 ? still : 1;
   job.retries = a.retries;
   job.maps = a.maps && job.parts > 1;
@@ -159,6 +161,10 @@ void check_arguments(const SubmitArguments& a) {
     check_word(option, *text);
   if (fs::path(a.output).extension() != ".exr")
     throw UsageError(fmt::format("-o {}: pictures of jobs are EXR files (.exr)", a.output));
+  if (a.mpi > 0 && (a.parts > 1 || a.maps))
+    throw UsageError(
+        "--mpi renders each picture as a whole, with maps of its own: leave out --parts and "
+        "--maps");
   check_render_words(a.render);
 }
 
@@ -242,6 +248,12 @@ Command add_submit_command(CLI::App& program) {
   command->add_flag("--maps", a->maps,
                     "Compute photon maps and final gather points once for each frame, before its "
                     "parts, instead of once for each part");
+  command
+      ->add_option(
+          "--mpi", a->mpi,
+          "Nodes that render each picture together, by srun and Open MPI, instead of parts "
+          "that are rendered independently")
+      ->check(CLI::Range(1, 100000));
   add_resource_options(*command, a->resources);
   command
       ->add_option("--retries", a->retries,

@@ -62,6 +62,9 @@ class ByteReader {
     get(values.data(), values.size() * sizeof(T));
   }
 
+  /// What was not read yet.
+  std::string_view rest() const { return bytes_; }
+
  private:
   std::size_t count(std::size_t element_size) {
     std::uint64_t number = 0;

@@ -56,7 +56,7 @@ JobResources resources_of(const json& from) {
 
 void check_job(const Job& job, const std::string& path) {
   const bool bad = job.frames.empty() || job.frames.size() != job.outputs.size() || job.parts < 1 ||
-                   job.chunk < 1 || job.retries < 0 ||
+                   job.chunk < 1 || job.retries < 0 || job.mpi < 0 ||
                    job.frames.size() > static_cast<std::size_t>(kMaxUnits / job.parts) ||
                    std::any_of(job.frames.begin(), job.frames.end(), [](int f) { return f < 1; });
   if (bad) throw std::runtime_error(fmt::format("'{}' is damaged", path));
@@ -82,6 +82,10 @@ std::string Job::part_file(int frame, int part, const std::string& eye) const {
   return path(fmt::format("parts/frame-{:04}{}.part-{}-of-{}", frame, eye, part, parts));
 }
 
+std::string Job::checkpoint_file(int frame) const {
+  return path(fmt::format("parts/frame-{:04}.checkpoint", frame));
+}
+
 std::string Job::maps_file(int frame) const {
   return fmt::format("{}/frame-{:04}.maps", maps_folder(), frame);
 }
@@ -92,14 +96,23 @@ std::string Job::record_file(int index) const {
 }
 
 void write_job(const Job& job) {
-  const json value = {{"name", job.name},           {"program", job.program},
-                      {"scene", job.scene},         {"output", job.output},
-                      {"maps", job.maps},           {"outputs", job.outputs},
-                      {"frames", job.frames},       {"parts", job.parts},
-                      {"chunk", job.chunk},         {"retries", job.retries},
-                      {"libraries", job.libraries}, {"code", job.code},
-                      {"stage", job.stage},         {"stagger", job.stagger},
-                      {"render", job.render},       {"resources", resources_json(job.resources)}};
+  const json value = {{"name", job.name},
+                      {"program", job.program},
+                      {"scene", job.scene},
+                      {"output", job.output},
+                      {"maps", job.maps},
+                      {"outputs", job.outputs},
+                      {"mpi", job.mpi},
+                      {"frames", job.frames},
+                      {"parts", job.parts},
+                      {"chunk", job.chunk},
+                      {"retries", job.retries},
+                      {"libraries", job.libraries},
+                      {"code", job.code},
+                      {"stage", job.stage},
+                      {"stagger", job.stagger},
+                      {"render", job.render},
+                      {"resources", resources_json(job.resources)}};
   write_durably(job.path("job.json"), json_text(value));
 }
 
@@ -115,6 +128,7 @@ Job read_job(const std::string& folder) {
     job.scene = from.at("scene");
     job.output = from.at("output");
     job.maps = from.at("maps");
+    job.mpi = from.value("mpi", 0);
     job.outputs = from.at("outputs").get<std::vector<std::string>>();
     job.frames = from.at("frames").get<std::vector<int>>();
     job.parts = from.at("parts");

@@ -29,6 +29,7 @@ struct Job {
   int chunk = 1;
   int retries = 2;                       ///< times that missing units are submitted again
   bool libraries = false, code = false;  ///< of the scene: see PackReport
+  int mpi = 0;         ///< nodes that render each picture together; 0: parts are independent
   bool maps = false;   ///< maps of indirect light are computed once for all parts of a frame
   std::string stage;   ///< folder on the nodes to which the scene is copied; empty: none
   double stagger = 0;  ///< seconds between the first reads of two tasks
@@ -55,6 +56,8 @@ struct Job {
   std::string part_output() const { return path("parts/frame-####.exr"); }  ///< -o of all parts
   /// What the render of a part writes; `eye`: "" or, of stereo cameras, "_left" or "_right".
   std::string part_file(int frame, int part, const std::string& eye = "") const;
+  /// The state of a picture that several nodes render together.
+  std::string checkpoint_file(int frame) const;
   std::string maps_folder() const { return path("maps"); }
   std::string maps_file(int frame) const;
   std::string record_file(int unit) const;

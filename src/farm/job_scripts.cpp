@@ -12,7 +12,8 @@ namespace oriel::farm {
 namespace {
 
 /// Lines that both scripts have.
-std::string script_head(const Job& job, const std::string& purpose, const std::string& log) {
+std::string script_head(const Job& job, const std::string& purpose, const std::string& log,
+                        int nodes = 1) {
   const JobResources& r = job.resources;
   std::string text = fmt::format(
       "#!/bin/bash\n"
@@ -21,9 +22,10 @@ std::string script_head(const Job& job, const std::string& purpose, const std::s
       "#SBATCH --output=log/{}.log\n"
       "#SBATCH --open-mode=append\n"
       "#SBATCH --requeue\n"
-      "#SBATCH --nodes=1\n"
-      "#SBATCH --ntasks=1\n",
-      purpose, job.name, log);
+      "#SBATCH --nodes={}\n"
+      "#SBATCH --ntasks={}\n",
+      purpose, job.name, log, nodes, nodes);
+  if (nodes > 1) text += "#SBATCH --ntasks-per-node=1\n";
   if (!r.partition.empty()) text += fmt::format("#SBATCH --partition={}\n", r.partition);
   if (!r.account.empty()) text += fmt::format("#SBATCH --account={}\n", r.account);
   return text;
@@ -84,7 +86,7 @@ std::string shell_line(const std::vector<std::string>& words) {
 std::string render_script(const Job& job) {
   return script_head(job,
                      fmt::format("renders {} of {}", job.parts > 1 ? "parts" : "frames", job.name),
-                     "task-%a") +
+                     "task-%a", std::max(job.mpi, 1)) +
          node_lines(job.resources) + script_end(job, "--task \"$SLURM_ARRAY_TASK_ID\"");
 }
 

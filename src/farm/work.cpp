@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "base/checkpoint_file.h"
 #include "base/durable_file.h"
 #include "farm/child_process.h"
 #include "farm/job_scripts.h"
@@ -40,6 +41,20 @@ std::string variable(const char* name) {
 std::string given_threads() {
   const std::string cpus = variable("SLURM_CPUS_PER_TASK");
   return cpus.empty() ? variable("SLURM_CPUS_ON_NODE") : cpus;
+}
+
+/// Removes part files that cannot be read, so that they are rendered again. Returns whether there
+/// were any.
+bool remove_damaged_parts(const Job& job, int unit) {
+  bool removed = false;
+  for (const std::string& file : part_files(job, unit)) try {
+      const CheckpointReader whole(file);
+    } catch (const CheckpointError& e) {
+      fmt::print(stderr, "{}: '{}' is rendered again: {}\n", job.unit_name(unit), file, e.what());
+      std::error_code ignored;
+      removed |= fs::remove(file, ignored);
+    }
+  return removed;
 }
 
 /// The parts of the frame of a unit to its picture. The parts are removed.
@@ -102,15 +117,15 @@ class TaskWorker {
     if (job_.stagger <= 0 || !variable("SLURM_RESTART_COUNT").empty()) return;
     const double seconds = std::min(job_.stagger * task_, kMaxStagger);
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    if (seconds > 0) fmt::print(stderr, "task {} starts in {:.4g} s\n", task_, seconds);
     while (Clock::now() < end && noted_signal() == 0)
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
 
   /// The command that renders a frame.
-  std::vector<std::string> render_words(const Job::Unit& unit) const {
-    std::vector<std::string> words = {
-        job_.program,       "render",   scene_ + "/" + job_.scene,    "-o",
-        job_.part_output(), "--frames", fmt::format("{}", unit.frame)};
+  std::vector<std::string> render_words(const Job::Unit& unit, const std::string& output) const {
+    std::vector<std::string> words = {job_.program, "render",   scene_ + "/" + job_.scene,    "-o",
+                                      output,       "--frames", fmt::format("{}", unit.frame)};
     if (job_.libraries) words.insert(words.end(), {"--shader-path", scene_ + "/" + kPackedShaders});
     if (job_.code) words.emplace_back("--trust-code");
     if (const std::string threads = given_threads(); !threads.empty())
@@ -122,15 +137,35 @@ class TaskWorker {
   ChildResult render_maps(const Job::Unit& unit) const {
     std::error_code error;
     if (!job_.maps || fs::exists(job_.maps_file(unit.frame), error)) return {0, {}, {}};
-    std::vector<std::string> words = render_words(unit);
+    std::vector<std::string> words = render_words(unit, job_.part_output());
     words.insert(words.end(), {"--maps-only", job_.maps_folder()});
     return run_child(words, ChildOutput::Inherit);
   }
 
+  /// A picture that the nodes of the task render together, or this process alone if it runs without
+  /// Slurm.
+  ChildResult render_picture(const Job::Unit& u) const {
+    const std::string checkpoint = job_.checkpoint_file(u.frame);
+    std::vector<std::string> words = render_words(u, job_.output);
+    words.insert(words.end(),
+                 {"--checkpoint", checkpoint, "--resume", checkpoint, "--stop-at-usr1"});
+    if (!variable("SLURM_JOB_ID").empty()) {
+      std::vector<std::string> step = {"srun", "--mpi=pmix", "--kill-on-bad-exit=1",
+                                       fmt::format("--nodes={}", job_.mpi),
+                                       fmt::format("--ntasks={}", job_.mpi)};
+      // Steps do not inherit the number of processors.
+      if (const std::string cpus = given_threads(); !cpus.empty())
+        step.push_back("--cpus-per-task=" + cpus);
+      words.insert(words.begin(), step.begin(), step.end());
+    }
+    return run_child(words, ChildOutput::Inherit);
+  }
+
   ChildResult render_part(const Job::Unit& u, int unit) const {
+    if (job_.mpi > 0) return render_picture(u);
     ChildResult result = render_maps(u);
     if (result.status != 0) return result;
-    std::vector<std::string> words = render_words(u);
+    std::vector<std::string> words = render_words(u, job_.part_output());
     words.insert(words.end(), {"--part", fmt::format("{}/{}", u.part, job_.parts)});
     if (job_.maps) words.insert(words.end(), {"--maps", job_.maps_folder()});
     for (int round = 0; round < kMaxRounds; ++round) {
@@ -154,6 +189,7 @@ class TaskWorker {
     write_record(job_, unit, record);
     fmt::print(stderr, "{}: attempt {}{}{}\n", job_.unit_name(unit), record.attempts,
                record.node.empty() ? "" : " on ", record.node);
+    remove_damaged_parts(job_, unit);
     const auto begin = Clock::now();
     const ChildResult result = render_part(u, unit);
     record.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -215,6 +251,7 @@ void print_missing(const Job& job, const std::vector<int>& units) {
 /// What became of the frames whose parts are all done.
 struct MergedFrames {
   bool failed = false;
+  bool damaged = false;         ///< parts were removed
   std::vector<int> next_round;  ///< units that a noise target requires to continue
 };
 
@@ -230,7 +267,13 @@ MergedFrames merge_complete_frames(const Job& job) {
     if (!complete) continue;
     if (!any && has_picture(job, index)) continue;  // merged before
     const int status = merge_frame(job, first).status;
-    merged.failed |= status != 0 && status != kStopped;
+    if (status != 0 && status != kStopped) {
+      bool damaged = false;
+      for (int part = 0; part < job.parts; ++part)
+        damaged |= remove_damaged_parts(job, first + part);
+      merged.damaged |= damaged;
+      merged.failed |= !damaged;
+    }
     if (status != kStopped) continue;
     for (int part = 0; part < job.parts; ++part) {
       UnitRecord record = read_record(job, first + part);
@@ -270,8 +313,11 @@ int work_maps(const Job& job, int frame_index) {
 }
 
 int work_merge(const Job& job, bool may_submit) {
-  const std::vector<int> missing = missing_units(job);
   const MergedFrames merged = merge_complete_frames(job);
+  std::vector<int> missing = missing_units(job);
+  std::erase_if(missing, [&](int unit) {
+    return std::binary_search(merged.next_round.begin(), merged.next_round.end(), unit);
+  });
   if (missing.empty() && merged.next_round.empty()) return merged.failed ? 1 : 0;
   print_missing(job, missing);
   const int round = read_round(job);
@@ -280,8 +326,9 @@ int work_merge(const Job& job, bool may_submit) {
     fmt::print(stderr, "{} of {} units are missing after {} repetition{}\n", missing.size(),
                job.unit_count(), round, round == 1 ? "" : "s");
   if (!retry && merged.next_round.empty()) return 1;
-  if (!may_submit) return merged.next_round.empty() ? 1 : kStopped;
+  if (!may_submit && !merged.damaged) return merged.next_round.empty() ? 1 : kStopped;
   if (retry) write_durably(job.path("units/round"), fmt::format("{}\n", round + 1));
+  if (!may_submit) return kStopped;
   const std::vector<int> units = retry ? missing_units(job) : merged.next_round;
   const std::string id = submit_tasks(job, tasks_of(job, units));
   fmt::print(stderr, "{} units are submitted again as job {}\n", units.size(), id);

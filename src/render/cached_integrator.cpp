@@ -298,6 +298,10 @@ void CachedIntegrator::save(CheckpointWriter& out) {
   save_cache(out, bounces_.cache);
   out.value(static_cast<std::int32_t>(bounces_.held));
   save_cache(out, cache_);
+  lit_.save(out);
+  learned_.visit_state(out);
+  out.value(static_cast<std::uint8_t>(grid_.has_value()));
+  if (grid_) grid_->save(out, world_);
 }
 
 void CachedIntegrator::restore(CheckpointReader& in, const IntegratorPreparation& p) {
@@ -328,9 +332,12 @@ void CachedIntegrator::restore(CheckpointReader& in, const IntegratorPreparation
     bounces_.query = bounces_query(world_);
     if (paths_.diffuse_bounces > 0) use_bounces();
   }
-  find_lit_surfaces(p);
-  learn(p);
-  grid_.emplace(world_, path_settings(), p.seed, p.counts);
+  lit_.restore(in, world_);
+  learned_.visit_state(in);
+  if (!learned_.is_valid(world_)) throw CheckpointError("its learned light is invalid");
+  std::uint8_t has_grid = 0;
+  in.value(has_grid);
+  if (has_grid != 0) grid_.emplace().restore(in, world_);
 }
 
 }  // namespace oriel

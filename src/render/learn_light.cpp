@@ -91,6 +91,11 @@ DirectionGuide learn_directions(const World& world, const IntegratorPreparation&
 
 }  // namespace
 
+bool LearnedLight::is_valid(const World& world) const {
+  return lights.is_valid(world.light_sampler->chosen_lights().size()) && guide.is_valid() &&
+         (diffuse_rays == 1 || diffuse_rays == kMoreRays);
+}
+
 LearnedLight learn_light(const World& world, const IntegratorPreparation& p,
                          const PathSettings& settings) {
   if (!world.options.guiding || p.paths < kLeastPaths) return {};

@@ -11,10 +11,20 @@
 namespace oriel {
 
 struct LearnedLight {
-  LearnedLights lights;  ///< for the choice of lights
-  DirectionGuide guide;  ///< for diffuse bounces
-  int diffuse_rays = 1;  ///< see PathSettings
+  LearnedLights lights;           ///< for the choice of lights
+  DirectionGuide guide;           ///< for diffuse bounces
+  std::int32_t diffuse_rays = 1;  ///< see PathSettings
   std::size_t bytes() const { return lights.bytes() + guide.bytes(); }
+
+  /// Writes it to a CheckpointWriter, or reads it from a CheckpointReader.
+  template <class Checkpoint>
+  void visit_state(Checkpoint& checkpoint) {
+    lights.visit_state(checkpoint);
+    guide.visit_state(checkpoint);
+    checkpoint.value(diffuse_rays);
+  }
+  /// Whether it can be used for the world; of what was read.
+  bool is_valid(const World& world) const;
 };
 
 /// Learns at the points of coarse records which lights reach them and from where light comes. A

@@ -119,7 +119,8 @@ double Progressive::elapsed() const {
 }
 
 void Progressive::begin_at(std::chrono::steady_clock::time_point start) {
-  const std::chrono::duration<double> run = std::chrono::steady_clock::now() - start;
+  start_ = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> run = start_ - start;
   state_.elapsed = elapsed_elsewhere_ + run.count();
 }
 
@@ -352,12 +353,13 @@ void Progressive::render_tile(int tile, const std::function<std::uint64_t(const 
 }
 
 void Progressive::loop_over(const std::vector<int>& tiles,
-                            const std::function<std::uint64_t(const Row&)>& render_row) {
+                            const std::function<std::uint64_t(const Row&)>& render_row,
+                            const std::atomic<bool>* cancel) {
   const TileGrid grid(film_.width(), film_.height());
   cancelled_ = timed_out_ = paused_ = false;
   parallel_for(tiles.size(), [&](std::size_t i) {
     const TileBounds b = grid.bounds(tiles[i]);
-    for (int y = b.y0; y < b.y1; ++y) drawn_ += render_row({b.x0, b.x1, y});
+    for (int y = b.y0; y < b.y1 && !(cancel && *cancel); ++y) drawn_ += render_row({b.x0, b.x1, y});
   });
 }
 

@@ -104,7 +104,8 @@ class Progressive {
 
   /// Draws the samples of some tiles up to given targets: the work of another process.
   template <class Sample>
-  void draw_tiles(const Sample& sample, const std::vector<int>& tiles);
+  void draw_tiles(const Sample& sample, const std::vector<int>& tiles,
+                  const std::atomic<bool>* cancel = nullptr);
   /// Sets targets of pixels without tests, before draw_tiles().
   std::vector<std::uint32_t>& targets() { return state_.targets; }
   /// Counts samples that another process drew.
@@ -142,7 +143,8 @@ class Progressive {
                                                         const Callbacks& callbacks,
                                                         const std::atomic<bool>* cancel);
   void loop_over(const std::vector<int>& tiles,
-                 const std::function<std::uint64_t(const Row&)>& render_row);
+                 const std::function<std::uint64_t(const Row&)>& render_row,
+                 const std::atomic<bool>* cancel);
   StopReason run_rows(const std::function<std::uint64_t(const Row&)>& render_row,
                       const Callbacks& callbacks, const std::atomic<bool>* cancel);
   void run_pass(const std::function<std::uint64_t(const Row&)>& render_row,
@@ -247,9 +249,10 @@ StopReason Progressive::run(const Sample& sample, const Callbacks& callbacks,
 }
 
 template <class Sample>
-void Progressive::draw_tiles(const Sample& sample, const std::vector<int>& tiles) {
+void Progressive::draw_tiles(const Sample& sample, const std::vector<int>& tiles,
+                             const std::atomic<bool>* cancel) {
   const Callbacks none;
-  loop_over(tiles, row_renderer(sample, none, nullptr));
+  loop_over(tiles, row_renderer(sample, none, cancel), cancel);
 }
 
 }  // namespace oriel

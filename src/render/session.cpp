@@ -346,9 +346,25 @@ void RenderSession::unpack_tiles(const std::vector<int>& tiles, std::string_view
   visit_pixels(in, TileGrid(film_.width(), film_.height()).pixels(tiles), progressive_.targets());
 }
 
-RayCounts RenderSession::draw_tiles(const std::vector<int>& tiles) {
+std::string RenderSession::pack_targets(const std::vector<int>& tiles) {
+  ByteWriter out;
+  PixelState<ByteWriter>(out, TileGrid(film_.width(), film_.height()).pixels(tiles),
+                         film_.pixel_count())
+      .array(progressive_.targets());
+  return out.take();
+}
+
+void RenderSession::unpack_targets(const std::vector<int>& tiles, std::string_view bytes) {
+  ByteReader in(bytes);
+  PixelState<ByteReader>(in, TileGrid(film_.width(), film_.height()).pixels(tiles),
+                         film_.pixel_count())
+      .array(progressive_.targets());
+}
+
+RayCounts RenderSession::draw_tiles(const std::vector<int>& tiles,
+                                    const std::atomic<bool>* cancel) {
   const RayCounts before = std::exchange(rays_, {});
-  with_sampler([&](const auto& draw_one) { progressive_.draw_tiles(draw_one, tiles); });
+  with_sampler([&](const auto& draw_one) { progressive_.draw_tiles(draw_one, tiles, cancel); });
   const RayCounts drawn = rays_;
   rays_ += before;
   return drawn;

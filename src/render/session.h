@@ -101,9 +101,12 @@ class RenderSession {
   /// Errors:  std::runtime_error.
   std::string pack_tiles(const std::vector<int>& tiles);
   void unpack_tiles(const std::vector<int>& tiles, std::string_view bytes);
-  /// Draws their missing samples, after prepare() or read_maps().
+  /// The same of the samples that the pixels have to reach, for a session that has the pixels.
+  std::string pack_targets(const std::vector<int>& tiles);
+  void unpack_targets(const std::vector<int>& tiles, std::string_view bytes);
+  /// Draws their missing samples, after prepare() or read_maps(); some are missing if cancelled.
   /// Returns: the rays of this call.
-  RayCounts draw_tiles(const std::vector<int>& tiles);
+  RayCounts draw_tiles(const std::vector<int>& tiles, const std::atomic<bool>* cancel = nullptr);
   /// Reads tiles that draw_tiles() of another process completed. The running pass is not paused.
   void add_tiles(const std::vector<int>& tiles, std::string_view bytes, const RayCounts& rays);
 

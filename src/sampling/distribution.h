@@ -73,6 +73,8 @@ class Distribution2D {
 
   std::size_t width() const { return width_; }
   std::size_t height() const { return height_; }
+  /// The table, row after row.
+  const std::vector<float>& values() const { return values_; }
   /// Mean of the table: the integral over [0,1)^2.
   float integral() const { return integral_; }
 

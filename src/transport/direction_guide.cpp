@@ -10,6 +10,9 @@ namespace {
 /// What the node above counts, in points; .5 to 1.5 differ little.
 constexpr float kWeightAbove = 0.5f;
 
+/// Largest share; sums of floats may round to more than 1.
+constexpr float kMostShare = 1.0001f;
+
 /// Size of entry i of increasing shares.
 float share_of(const float* until, std::size_t i) { return until[i] - (i > 0 ? until[i - 1] : 0); }
 
@@ -98,6 +101,33 @@ DirectionGuide::DirectionGuide(const geom::Box3& bounds, std::span<const GuidePo
   for (const GuideSquare& light : tree_.values(GuideSquare{}, light_of))
     densities_.emplace_back(light);
   light_ = tree_.values(Rgb(0), mean_of);
+  tree_.forget_points();
+}
+
+bool GuideDensity::is_valid() const {
+  const auto are_shares = [](const float* until) {
+    float before = 0;
+    for (std::size_t i = 0; i < kGuideSide; ++i) {
+      if (!(until[i] >= before && until[i] <= kMostShare)) return false;
+      before = until[i];
+    }
+    return before > 0;
+  };
+  if (!are_shares(rows_until_.data())) return false;
+  for (std::size_t row = 0; row < kGuideSide; ++row)
+    if (!are_shares(&until_[row * kGuideSide])) return false;
+  return true;
+}
+
+bool DirectionGuide::is_valid() const {
+  const auto is_light = [](const Rgb& light) {
+    return std::isfinite(light.x + light.y + light.z) && light.x >= 0 && light.y >= 0 &&
+           light.z >= 0;
+  };
+  return tree_.is_valid() && densities_.size() == tree_.cells() && light_.size() == tree_.cells() &&
+         std::all_of(light_.begin(), light_.end(), is_light) &&
+         std::all_of(densities_.begin(), densities_.end(),
+                     [](const GuideDensity& density) { return density.is_valid(); });
 }
 
 }  // namespace oriel

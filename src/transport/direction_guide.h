@@ -35,6 +35,10 @@ class GuideDensity {
   /// its reciprocal. Of .15, .25, .4 and .5, .4 had the smallest error in rooms.
   static constexpr float kUnguided = 0.4f;
 
+  GuideDensity() = default;  ///< to be read
+  /// Whether its shares increase to 1.
+  bool is_valid() const;
+
   /// Returns: at least kUnguided; 1 on the average.
   float at(const Vec2& on_square) const;
   /// Maps the uniform `u` to the square with that density, monotonically in each coordinate.
@@ -106,6 +110,16 @@ class DirectionGuide {
   std::size_t bytes() const {
     return tree_.bytes() + densities_.size() * sizeof(GuideDensity) + light_.size() * sizeof(Rgb);
   }
+
+  /// Writes the guide to a CheckpointWriter, or reads it from a CheckpointReader.
+  template <class Checkpoint>
+  void visit_state(Checkpoint& checkpoint) {
+    tree_.visit_state(checkpoint);
+    checkpoint.list(densities_);
+    checkpoint.list(light_);
+  }
+  /// Whether it is a guide; of one that was read.
+  bool is_valid() const;
 
  private:
   SurfaceTree tree_;

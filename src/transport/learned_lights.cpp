@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/learned_lights.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace oriel {
@@ -36,6 +37,22 @@ LearnedLights::LearnedLights(const geom::Box3& bounds, std::span<const SurfaceTr
       until_.push_back(static_cast<float>(until += share));
     }
   }
+  tree_.forget_points();
+}
+
+bool LearnedLights::is_valid(std::size_t lights) const {
+  if (count_ == 0) return probability_.empty() && until_.empty();
+  constexpr float kMost = 1.0001f;
+  const auto is_share = [](float value) { return value >= 0 && value <= kMost; };
+  if (count_ != lights || tree_.empty() || !tree_.is_valid() ||
+      probability_.size() / count_ != tree_.cells() || probability_.size() % count_ != 0 ||
+      until_.size() != probability_.size() ||
+      !std::all_of(probability_.begin(), probability_.end(), is_share) ||
+      !std::all_of(until_.begin(), until_.end(), is_share))
+    return false;
+  for (std::size_t row = 0; row < until_.size(); row += count_)
+    if (!std::is_sorted(&until_[row], &until_[row] + count_)) return false;
+  return true;
 }
 
 }  // namespace oriel

@@ -33,6 +33,19 @@ class LearnedLights {
   std::size_t bytes() const {
     return tree_.bytes() + (probability_.size() + until_.size()) * sizeof(float);
   }
+  /// Writes the probabilities to a CheckpointWriter, or reads them from a CheckpointReader.
+  template <class Checkpoint>
+  void visit_state(Checkpoint& checkpoint) {
+    tree_.visit_state(checkpoint);
+    std::uint64_t count = count_;
+    checkpoint.value(count);
+    count_ = static_cast<std::size_t>(count);
+    checkpoint.list(probability_);
+    checkpoint.list(until_);
+  }
+  /// Whether they are probabilities of `lights` lights; of those that were read.
+  bool is_valid(std::size_t lights) const;
+
   /// Inputs:  normal: unit. Nothing where no light was seen.
   LightChances at(const Vec3& position, const Vec3& normal) const {
     const std::size_t first = tree_.find(position, normal) * count_;

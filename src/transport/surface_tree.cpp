@@ -39,6 +39,26 @@ SurfaceTree::SurfaceTree(const geom::Box3& bounds, std::span<const Point> points
   }
 }
 
+void SurfaceTree::forget_points() {
+  order_ = {};
+  members_ = {};
+}
+
+bool SurfaceTree::is_valid() const {
+  if (nodes_.empty()) return cells_ == 0;
+  if (nodes_.size() < kSides) return false;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const Node& node = nodes_[i];
+    if (node.axis == kLeaf) {
+      if (node.child >= cells_) return false;
+      continue;
+    }
+    // Children after their node, so that a search ends.
+    if (node.child <= i || node.child >= nodes_.size() - 1) return false;
+  }
+  return true;
+}
+
 void SurfaceTree::divide(std::uint32_t index, const geom::Box3& box, std::span<const Point> points,
                          int depth) {
   const Members node = members_[index];

@@ -33,7 +33,8 @@ class SurfaceTree {
   bool empty() const { return nodes_.empty(); }
   std::size_t cells() const { return cells_; }
   std::size_t bytes() const {
-    return nodes_.size() * (sizeof(Node) + sizeof(Members)) + order_.size() * sizeof(order_[0]);
+    return nodes_.size() * sizeof(Node) + members_.size() * sizeof(Members) +
+           order_.size() * sizeof(order_[0]);
   }
   /// The cell of a place, below cells(). Inputs:  normal: unit. Not for an empty tree.
   std::size_t find(const Vec3& position, const Vec3& normal) const {
@@ -45,6 +46,7 @@ class SurfaceTree {
 
   /// A value for each cell: mean(indices of points, above) of a node and the value of the node
   /// above, from all points down. `all` stands above that of all points.
+  /// Not after forget_points().
   template <class Value, class Mean>
   std::vector<Value> values(const Value& all, const Mean& mean) const {
     std::vector<Value> of_nodes, of_cells(cells_, all);
@@ -59,6 +61,20 @@ class SurfaceTree {
     }
     return of_cells;
   }
+
+  /// Releases the memory of the points, which only values() needs.
+  void forget_points();
+
+  /// Writes the tree without its points to a CheckpointWriter, or reads it from a CheckpointReader.
+  template <class Checkpoint>
+  void visit_state(Checkpoint& checkpoint) {
+    checkpoint.list(nodes_);
+    std::uint64_t cells = cells_;
+    checkpoint.value(cells);
+    cells_ = static_cast<std::size_t>(cells);
+  }
+  /// Whether find() ends at a cell for every place; of a tree that was read.
+  bool is_valid() const;
 
  private:
   static constexpr std::size_t kSides = 6;

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Jobs of oriel submit on a real Slurm: tests/farm/slurm_test.py ORIEL
+"""Jobs of oriel submit on a real Slurm: tests/farm/slurm_test.py ORIEL [CASE...]
 
-tools/farm-up starts a cluster of four nodes on this machine, which ends with the test. Exit code 77: Slurm is
-not installed.
+tools/farm-up starts a cluster on this machine, which ends with the test. The cases run at the same time, each in a
+process of its own, since most of their time is waiting for Slurm. Exit code 77: Slurm is not installed.
 
 acceptance: F3
 """
@@ -22,6 +22,8 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ORIEL = ""
 FARM = ROOT / "tools/farm-up"
+NODES = 11
+DOOMED = "n1,n2,n3"  # nodes of the case that kills one
 
 SCENE = """
 options "opt" object space trace depth 4 4 8 "indirect" "path" end options
@@ -61,18 +63,7 @@ def run(*words, check=True, **more):
 class Slurm(unittest.TestCase):
     """One cluster for all tests, a folder for each."""
 
-    @classmethod
-    def setUpClass(cls):
-        cls.base = tempfile.mkdtemp(prefix="oriel-slurm-")
-        cls.farm = os.path.join(cls.base, "farm")
-        cls.addClassCleanup(cls.stop)
-        run(FARM, "--folder", cls.farm, "--while", os.getpid())
-        os.environ["SLURM_CONF"] = cls.farm + "/slurm.conf"
-
-    @classmethod
-    def stop(cls):
-        run(FARM, "--stop", "--folder", cls.farm, check=False)
-        shutil.rmtree(cls.base, ignore_errors=True)
+    base = farm = ""
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(dir=self.base, prefix="it's \"a\" job "))
@@ -81,7 +72,8 @@ class Slurm(unittest.TestCase):
         self.job = self.folder / "still.job"
 
     def tearDown(self):
-        run("scancel", "--full", "-u", os.environ.get("USER", "root"), check=False)
+        for job in self.queued():
+            run("scancel", "--full", job, check=False)
         for task in glob.glob(str(self.job) + "/log/*"):
             if self.failed():
                 print(task, pathlib.Path(task).read_text(errors="replace"), file=sys.stderr)
@@ -93,8 +85,9 @@ class Slurm(unittest.TestCase):
     def write_scene(self, text):
         self.scene.write_text(text)
 
-    def submit(self, *words, samples=4):
-        result = run(ORIEL, "submit", self.scene, "-o", self.output, "-q", *words, "--", "--samples", samples)
+    def submit(self, *words, samples=4, excluded=DOOMED):
+        result = run(ORIEL, "submit", self.scene, "-o", self.output, "-q", "--sbatch=--exclude=" + excluded, *words,
+                     "--", "--samples", samples)
         return result.stdout.split()[1].rstrip(":")  # "job 7: ..."
 
     def reference(self, samples=4, output="reference.exr"):
@@ -117,7 +110,7 @@ class Slurm(unittest.TestCase):
         except (OSError, ValueError):
             return {"state": "waiting", "attempts": 0, "node": ""}
 
-    def wait(self, condition, what, seconds=100):
+    def wait(self, condition, what, seconds=200):
         end = time.monotonic() + seconds
         while not condition():
             if time.monotonic() > end:
@@ -128,8 +121,13 @@ class Slurm(unittest.TestCase):
     def wait_for_picture(self):
         self.wait(self.output.exists, "the picture")
 
+    def queued(self):
+        """The jobs of this test: those with its folder."""
+        lines = run("squeue", "-h", "-o", "%A|%Z", check=False).stdout.splitlines()
+        return {line.split("|")[0] for line in lines if line.split("|", 1)[1] == str(self.job)}
+
     def wait_until_idle(self):
-        self.wait(lambda: not run("squeue", "-h").stdout.strip(), "the end of all jobs")
+        self.wait(lambda: not self.queued(), "the end of all jobs")
 
     def expect_same_bytes(self, samples=4):
         self.reference(samples)
@@ -152,8 +150,24 @@ class Slurm(unittest.TestCase):
             self.skipTest("Open MPI was not installed when Oriel was built")
         self.write_scene(SCENE + RENDER)
         render = [ORIEL, "render", self.scene, "-o", self.output, "--samples", 4, "--threads", 1, "-q"]
-        run("srun", "--mpi=pmix", "-N3", "-n3", *render, timeout=100)
+        run("srun", "--mpi=pmix", "--exclude=" + DOOMED, "-N3", "-n3", *render, timeout=100)
         self.expect_same_bytes()
+
+    def test_nodes_that_render_a_still_together_continue_after_a_requeue(self):
+        if not (pathlib.Path(ORIEL).parent / "oriel_mpi.so").exists():
+            self.skipTest("Open MPI was not installed when Oriel was built")
+        self.write_scene(SCENE + RENDER)
+        samples = self.samples_for(10)
+        # The signal comes after some seconds, as the lead is almost all of the minute.
+        job = self.submit("--mpi", 2, "--time", "1", "--lead", 57, samples=samples)
+        self.wait(lambda: self.record()["state"] in ("stopped", "done"), "the signal or the picture")
+        if self.record()["state"] == "stopped":
+            self.assertTrue((self.job / "parts/frame-0001.checkpoint").exists())
+            self.wait(lambda: "PENDING" in run("squeue", "-h", "-r", "-j", job, "-o", "%T").stdout, "the requeue")
+            run("scontrol", "update", f"JobId={job}_0", "TimeLimit=60")
+        self.wait_for_picture()
+        self.assertEqual(2, self.record()["attempts"])
+        self.expect_same_bytes(samples)
 
     def test_a_requeued_task_continues(self):
         self.write_scene(SCENE + RENDER)
@@ -183,7 +197,8 @@ class Slurm(unittest.TestCase):
     def test_a_killed_node_loses_nothing(self):
         self.write_scene(SCENE + RENDER)
         samples = self.samples_for(10)
-        self.submit("--parts", 2, samples=samples)
+        others = ",".join(f"n{k}" for k in range(1, NODES + 1) if f"n{k}" not in DOOMED.split(","))
+        self.submit("--parts", 2, samples=samples, excluded=others)
         self.wait(lambda: self.record()["state"] == "running", "the start")
         node = self.record()["node"]
         pid = int(pathlib.Path(f"{self.farm}/slurmd-{node}.pid").read_text())
@@ -243,6 +258,26 @@ class Slurm(unittest.TestCase):
         self.assertEqual([1, 3, 1], [self.record(frame=k)["attempts"] for k in (1, 2, 3)])
 
 
+def run_cases(names):
+    """All cases at the same time, on one cluster. Returns the exit code."""
+    base = tempfile.mkdtemp(prefix="oriel-slurm-")
+    farm = os.path.join(base, "farm")
+    try:
+        run(FARM, "--folder", farm, "--nodes", NODES, "--while", os.getpid())
+        environment = dict(os.environ, SLURM_CONF=farm + "/slurm.conf", ORIEL_SLURM_TEST=base)
+        words = [sys.executable, os.path.abspath(__file__), ORIEL]
+        cases = [subprocess.Popen([*words, "Slurm." + name], env=environment, text=True, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT) for name in names]
+        code = 0
+        for case in cases:
+            print(case.communicate()[0], flush=True)
+            code = code or case.returncode
+        return code
+    finally:
+        run(FARM, "--stop", "--folder", farm, check=False)
+        shutil.rmtree(base, ignore_errors=True)
+
+
 def main():
     global ORIEL
     if len(sys.argv) < 2:
@@ -252,7 +287,11 @@ def main():
     if not all(shutil.which(p, path=path) for p in ("munged", "slurmctld", "slurmd", "sbatch")):
         print("Slurm is not installed: tools/install tools/packages-of-tests.txt")
         sys.exit(77)
-    unittest.main(verbosity=2)
+    if "ORIEL_SLURM_TEST" in os.environ:
+        Slurm.base = os.environ["ORIEL_SLURM_TEST"]
+        Slurm.farm = os.path.join(Slurm.base, "farm")
+        unittest.main(verbosity=2)
+    sys.exit(run_cases(sys.argv[1:] or unittest.defaultTestLoader.getTestCaseNames(Slurm)))
 
 
 if __name__ == "__main__":

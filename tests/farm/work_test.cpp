@@ -40,6 +40,10 @@ if [ -n "$maps" ]; then
   echo maps >"$maps/frame-000$frame.maps"
   exit
 fi
+if [ -z "$part" ]; then
+  echo picture >"$(echo "$output" | sed "s/#/$frame/")"
+  exit
+fi
 output=$(echo "$output" | sed "s/####/000$frame/")
 if [ -e "$here/fail-$frame-$part" ]; then
   echo "oriel: frame $frame, part $part: no texture" >&2
@@ -61,6 +65,10 @@ case $(basename "$0") in
   sbatch) wc -l <"$(dirname "$0")/slurm" ;;
   squeue) cat "$(dirname "$0")/queue" 2>/dev/null ;;
   scontrol) echo "MaxArraySize            = 4" ;;
+  srun)
+    while [ "${1#--}" != "$1" ]; do shift; done
+    exec "$@"
+    ;;
 esac
 exit 0
 )sh";
@@ -70,7 +78,7 @@ class FarmWork : public ProgramTest {
   void SetUp() override {
     fs::create_directories(file("bin"));
     write_program("bin/oriel", kOriel);
-    for (const char* name : {"sbatch", "squeue", "scontrol"})
+    for (const char* name : {"sbatch", "squeue", "scontrol", "srun"})
       write_program(std::string("bin/") + name, kSlurm);
     path_ = std::getenv("PATH");
     setenv("PATH", (file("bin") + ":" + path_).c_str(), 1);
@@ -81,7 +89,7 @@ class FarmWork : public ProgramTest {
   }
   void TearDown() override {
     setenv("PATH", path_.c_str(), 1);
-    unsetenv("SLURM_JOB_ID");
+    for (const char* name : {"SLURM_JOB_ID", "SLURM_RESTART_COUNT"}) unsetenv(name);
   }
   void write_program(const std::string& name, const char* text) const {
     write(name, text);
@@ -242,6 +250,111 @@ TEST_F(FarmWork, OneMachineCanRenderAllOfIt) {
   const nlohmann::json status = nlohmann::json::parse(run({"status", kJob, "--json"}).out);
   EXPECT_EQ(status["frames_done"], 3);
   EXPECT_EQ(status["failed"], 0);
+}
+
+TEST_F(FarmWork, NodesRenderAPictureTogether) {
+  ASSERT_EQ(submit({"--mpi", "3", "--time", "30"}).exit_code, 0);
+  EXPECT_NE(slurm().find("|--array=0-2|"), std::string::npos) << slurm();
+  const std::string script = text_of(in_job("render.sh"));
+  for (const char* line : {"#SBATCH --nodes=3\n", "#SBATCH --ntasks=3\n",
+                           "#SBATCH --ntasks-per-node=1\n", "#SBATCH --requeue\n"})
+    EXPECT_NE(script.find(line), std::string::npos) << line << script;
+  EXPECT_EQ(text_of(in_job("merge.sh")).find("--ntasks=3"), std::string::npos);
+  setenv("SLURM_JOB_ID", "77", 1);
+  ASSERT_EQ(work({"--task", "1"}).exit_code, 0);
+  const std::string checkpoint =
+      fs::canonical(file(kJob)).string() + "/parts/frame-0002.checkpoint";
+  EXPECT_NE(slurm().find("srun|--mpi=pmix|--kill-on-bad-exit=1|--nodes=3|--ntasks=3|"),
+            std::string::npos)
+      << slurm();
+  EXPECT_NE(calls().find("|--checkpoint|" + checkpoint + "|--resume|" + checkpoint +
+                         "|--stop-at-usr1|\n"),
+            std::string::npos)
+      << calls();
+  EXPECT_TRUE(fs::exists(picture(2)));
+  EXPECT_EQ(record(2)["state"], "done");
+  // Without Slurm by one process.
+  unsetenv("SLURM_JOB_ID");
+  const std::string before = slurm();
+  ASSERT_EQ(work({"--task", "0"}).exit_code, 0);
+  EXPECT_EQ(slurm(), before);
+  EXPECT_TRUE(fs::exists(picture(1)));
+  EXPECT_EQ(run({"submit", "house.mi", "-o", "b.exr", "--mpi", "2", "--parts", "2"}).exit_code, 2);
+}
+
+TEST_F(FarmWork, TasksReadTheCopyOfTheirNode) {
+  ASSERT_EQ(submit({"--stage", "a node's \"disk\""}).exit_code, 0);
+  for (const char* task : {"0", "1"}) ASSERT_EQ(work({"--task", task}).exit_code, 0);
+  const fs::path stage = fs::canonical(file("a node's \"disk\""));
+  ASSERT_EQ(std::distance(fs::directory_iterator(stage), fs::directory_iterator()), 1);
+  const std::string copy = fs::directory_iterator(stage)->path().string();
+  const std::string all = calls();
+  EXPECT_EQ(all.find("render|" + copy + "/house.mi|"), 0u) << all;
+  EXPECT_EQ(all.find("/scene/house.mi|-o"), all.npos) << all;
+}
+
+// The second task would wait ten minutes.
+TEST_F(FarmWork, TasksStartOneAfterTheOther) {
+  ASSERT_EQ(submit({"--stagger", "600"}).exit_code, 0);
+  ASSERT_EQ(work({"--task", "0"}).exit_code, 0);
+  const std::string before = calls();
+  const pid_t second = start({"work", kJob, "--task", "1"});
+  const auto waits = [&] {
+    return text_of(file("stderr.txt")).find("starts in") != std::string::npos;
+  };
+  for (int i = 0; i < 3000 && !waits(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(second, SIGUSR1);
+  const RunResult r = finish(second);
+  EXPECT_EQ(r.exit_code, 75) << r.err;
+  EXPECT_NE(r.err.find("task 1 starts in 600 s"), std::string::npos) << r.err;
+  EXPECT_EQ(calls(), before);
+  // Requeued tasks start at different times by themselves.
+  setenv("SLURM_RESTART_COUNT", "1", 1);
+  ASSERT_EQ(work({"--task", "1"}).exit_code, 0);
+  EXPECT_NE(calls(), before);
+}
+
+/// Jobs whose parts the program itself renders.
+class FarmParts : public FarmWork {
+ protected:
+  void SetUp() override {
+    FarmWork::SetUp();
+    write("still.mi", small_scene());
+    ASSERT_EQ(run({"submit", "still.mi", "-o", "a.exr", "--job", kJob, "--parts", "2", "--retries",
+                   "1", "--", "--samples", "8"})
+                  .exit_code,
+              0);
+    for (const char* task : {"0", "1"}) ASSERT_EQ(work({"--task", task}).exit_code, 0);
+  }
+  std::string part(int k) const {
+    return in_job("parts/frame-0001.part-" + std::to_string(k) + "-of-2");
+  }
+  void expect_picture_of_one_machine() const {
+    ASSERT_EQ(run({"render", "still.mi", "-o", "whole.exr", "-q", "--samples", "8"}).exit_code, 0);
+    EXPECT_EQ(text_of(file("a.exr")), text_of(file("whole.exr")));
+  }
+};
+
+TEST_F(FarmParts, DamagedAndMissingOnesAreRenderedAgain) {
+  fs::resize_file(part(2), fs::file_size(part(2)) / 2);
+  const RunResult merge = work({"--merge"});
+  EXPECT_EQ(merge.exit_code, 0) << merge.err;
+  EXPECT_NE(merge.err.find("frame-0001.part-2-of-2' is rendered again"), std::string::npos)
+      << merge.err;
+  EXPECT_NE(slurm().find("|--array=1|"), std::string::npos) << slurm();
+  EXPECT_FALSE(fs::exists(file("a.exr")));
+  ASSERT_EQ(work({"--task", "1"}).exit_code, 0);
+  EXPECT_EQ(work({"--merge"}).exit_code, 0);
+  expect_picture_of_one_machine();
+}
+
+TEST_F(FarmParts, OneMachineRepairsThem) {
+  fs::resize_file(part(1), 100);
+  fs::remove(part(2));
+  const RunResult all = work({"--all"});
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  expect_picture_of_one_machine();
 }
 
 TEST_F(FarmWork, WrongOptionsAreFoundBeforeTheSubmission) {

@@ -133,7 +133,7 @@ TEST_F(Checkpoints, SignalsThatEndTheRenderWriteOne) {
     ASSERT_TRUE(wait_for_text("\"pass\":2"));
     kill(child, number);
     const RunResult r = finish(child);
-    EXPECT_EQ(r.exit_code, 1) << r.err;
+    EXPECT_EQ(r.exit_code, 75) << r.err;
     EXPECT_EQ(written_checkpoints(), 1) << r.out;
     EXPECT_TRUE(resume(options) == whole) << number;
   }

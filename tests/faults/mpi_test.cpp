@@ -11,7 +11,7 @@ class Mpi : public ResumeTest {
  protected:
   void SetUp() override {
     const fs::path module = fs::path(ORIEL_PROGRAM).parent_path() / "oriel_mpi.so";
-    if (!fs::exists(module) || std::system("mpirun --version > mpi_version.txt 2>&1") != 0)
+    if (!fs::exists(module) || std::system("mpirun --version > /dev/null 2>&1") != 0)
       GTEST_SKIP() << "Open MPI is not installed, or was not when Oriel was built";
   }
 
@@ -85,6 +85,69 @@ TEST_F(Mpi, AKilledRankLeavesACheckpoint) {
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_NE(r.err.find("OR-RN-075"), std::string::npos) << r.err;
   EXPECT_TRUE(bytes_of(file("a.exr")) == whole);
+}
+
+// mpirun passes SIGINT and SIGTERM to the ranks as SIGTERM.
+// acceptance: F4
+TEST_F(Mpi, InterruptsLeaveACheckpoint) {
+  const Words options = {"--samples", "600"};
+  const std::vector<char> whole = uninterrupted(options);
+  // To mpirun, or to one rank that does not lead.
+  for (const std::string target :
+       {"INT $job", "TERM $job", "TERM $(ps -o pid= --ppid $job | tail -1)"}) {
+    fs::remove(file("a.exr"));
+    const RunResult ended =
+        render_with(3, "--samples 600 -o a.exr --json --checkpoint a.chk",
+                    " & job=$!; for i in $(seq 1000); do grep -q '\"pass\":3' stdout.txt && break; "
+                    "sleep .02; done; kill -" +
+                        target + "; wait $job");
+    EXPECT_NE(ended.exit_code, 0) << target;
+    ASSERT_TRUE(there("a.chk")) << target << ended.err;
+    EXPECT_NE(ended.out.find("\"stopped_by\":\"interrupted\""), std::string::npos) << ended.out;
+    const RunResult r = render_with(2, "--samples 600 -o a.exr --resume a.chk");
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_TRUE(bytes_of(file("a.exr")) == whole) << target;
+  }
+}
+
+// As in a job of Slurm that nears its time limit.
+TEST_F(Mpi, Usr1EndsRanksWithTheStatusOfParts) {
+  const Words options = {"--samples", "600"};
+  const std::vector<char> whole = uninterrupted(options);
+  const RunResult ended = render_with(
+      3, "--samples 600 -o a.exr --json --checkpoint a.chk --stop-at-usr1",
+      " & job=$!; for i in $(seq 1000); do grep -q '\"pass\":3' stdout.txt && break; sleep .02; "
+      "done; kill -USR1 $job; wait $job");
+  EXPECT_EQ(ended.exit_code, 75) << ended.err;
+  ASSERT_TRUE(there("a.chk")) << ended.err;
+  const RunResult r = render({"--samples", "600", "-o", "a.exr", "--resume", "a.chk"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_TRUE(bytes_of(file("a.exr")) == whole);
+}
+
+// The same version, and another build: bytes after the end of a program are ignored.
+TEST_F(Mpi, RanksOfAnotherProgramAreRefusedByName) {
+  fs::create_directory(file("other"));
+  for (const char* name : {"oriel", "oriel_mpi.so"})
+    fs::copy_file(fs::path(ORIEL_PROGRAM).parent_path() / name, file("other/" + std::string(name)));
+  std::ofstream(file("other/oriel"), std::ios::app | std::ios::binary) << "x";
+  const RunResult r = shell(
+      "mpirun --allow-run-as-root --oversubscribe -np 1 \"$ORIEL\" render scene.mi -o a.exr : "
+      "-np 1 other/oriel render scene.mi -o a.exr > stdout.txt 2> stderr.txt");
+  EXPECT_EQ(r.exit_code, 1) << r.err;
+  EXPECT_NE(r.err.find("rank 1 on "), std::string::npos) << r.err;
+  EXPECT_NE(r.err.find(", and rank 0 on "), std::string::npos) << r.err;
+  EXPECT_FALSE(there("a.exr"));
+}
+
+TEST_F(Mpi, RanksOfAnotherSceneAreRefusedByName) {
+  write("other.mi", small_scene("", "lens \"mia_exposure_simple\" (\"gain\" 2)"));
+  const RunResult r = shell(
+      "mpirun --allow-run-as-root --oversubscribe -np 1 \"$ORIEL\" render scene.mi -o a.exr : "
+      "-np 1 \"$ORIEL\" render other.mi -o a.exr > stdout.txt 2> stderr.txt");
+  EXPECT_EQ(r.exit_code, 1) << r.err;
+  EXPECT_NE(r.err.find("rank 1 renders another picture"), std::string::npos) << r.err;
+  EXPECT_FALSE(there("a.exr"));
 }
 
 TEST_F(Mpi, PartsAreForSingleProcesses) {

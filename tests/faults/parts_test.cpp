@@ -116,6 +116,58 @@ TEST_F(Parts, AgreeOnMotionBlur) {
   expect_same(joined({"--samples", "20"}, kEveryLayer), "motion blur", {3});
 }
 
+TEST_F(Parts, OfBothEyesAreMerged) {
+  write("scene.mi", small_scene("", "stereo offset eye separation .1"));
+  ASSERT_EQ(render({"--samples", "8", "-o", "whole.exr", "-q"}).exit_code, 0);
+  for (int k = 1; k <= 2; ++k)
+    ASSERT_EQ(render({"--samples", "8", "-o", "p.exr", "-q", "--part", std::to_string(k) + "/2"})
+                  .exit_code,
+              0);
+  const Words parts = {"p_left.part-1-of-2", "p_right.part-1-of-2", "p_left.part-2-of-2",
+                       "p_right.part-2-of-2"};
+  for (const std::string& name : parts) ASSERT_TRUE(there(name)) << name;
+  expect_not_merged({parts[0], parts[1], parts[2]}, {"p_right.part-2-of-2", "is missing"});
+  const RunResult r = run(joined(joined({"merge"}, parts), {"-o", "p.exr"}));
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_TRUE(bytes_of(file("p_left.exr")) == bytes_of(file("whole_left.exr")));
+  EXPECT_TRUE(bytes_of(file("p_right.exr")) == bytes_of(file("whole_right.exr")));
+  EXPECT_FALSE(bytes_of(file("p_left.exr")) == bytes_of(file("p_right.exr")));
+}
+
+TEST_F(Parts, OfSeveralFramesAreMerged) {
+  const std::string place =
+      "incremental light \"lamp\" \"mib_light_point\" (\"color\" 3 1 1) "
+      "origin 0 1 -3 end light\n";
+  write("scene.mi", small_scene() + place + "render \"root\" \"cam_inst\" \"opt\"\n");
+  ASSERT_EQ(render({"--samples", "8", "-o", "whole.#.exr", "-q"}).exit_code, 0);
+  for (const char* part : {"1/2", "2/2"})
+    ASSERT_EQ(render({"--samples", "8", "-o", "p.#.exr", "-q", "--part", part}).exit_code, 0);
+  const Words parts = {"p.1.part-1-of-2", "p.1.part-2-of-2", "p.2.part-1-of-2", "p.2.part-2-of-2"};
+  const RunResult r = run(joined(joined({"merge"}, parts), {"-o", "p.#.exr"}));
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  for (const std::string frame : {"1", "2"})
+    EXPECT_TRUE(bytes_of(file("p." + frame + ".exr")) == bytes_of(file("whole." + frame + ".exr")))
+        << frame;
+  EXPECT_FALSE(bytes_of(file("p.1.exr")) == bytes_of(file("p.2.exr")));
+}
+
+// The same version, and another build: bytes after the end of a program are ignored.
+TEST_F(Parts, OfAnotherProgramAreRefused) {
+  fs::copy_file(ORIEL_PROGRAM, file("other_oriel"));
+  std::ofstream(file("other_oriel"), std::ios::app | std::ios::binary) << "x";
+  render_part(1, 2, {"--samples", "4"});
+  ASSERT_EQ(shell("./other_oriel render scene.mi -o p.exr --samples 4 --part 2/2 -q 2>stderr.txt")
+                .exit_code,
+            0);
+  expect_not_merged({part(1, 2), part(2, 2)},
+                    {"p.part-2-of-2", "it was written by Oriel", "and this is Oriel"});
+  // Nor does another program continue a part.
+  const RunResult r =
+      shell("./other_oriel render scene.mi -o p.exr --samples 4 --part 1/2 -q 2>stderr.txt");
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_NE(r.err.find("was written by Oriel"), std::string::npos) << r.err;
+}
+
 // A part is killed while it renders, and continues.
 TEST_F(Parts, ContinueAfterAKill) {
   const Words options = joined({"--samples", "200"}, kEveryLayer);

@@ -102,6 +102,79 @@ int GlossyGrid::height(int density) const {
   return grids_.empty() ? 0 : grids_[static_cast<std::size_t>(density)].height;
 }
 
+namespace {
+
+/// Numbers of a grid point in checkpoints: instance, material, which values there are; normal,
+/// reflection, refraction, alpha.
+constexpr std::size_t kGridIntegers = 3, kGridFloats = 10;
+constexpr std::int32_t kHasReflection = 1, kHasRefraction = 2;
+
+/// Size along a side of the picture.
+int grid_size(int pixels, float resolution) {
+  return static_cast<int>(std::ceil(static_cast<float>(pixels) * resolution));
+}
+
+}  // namespace
+
+void GlossyGrid::save(CheckpointWriter& out, const World& world) const {
+  out.value(static_cast<std::uint8_t>(grids_.size()));
+  for (const Grid& grid : grids_) {
+    std::vector<std::int32_t> integers;
+    std::vector<float> floats;
+    integers.reserve(grid.points.size() * kGridIntegers);
+    floats.reserve(grid.points.size() * kGridFloats);
+    for (const GridPoint& p : grid.points) {
+      const std::ptrdiff_t material = p.material ? p.material - world.materials.data() : -1;
+      const Rgb reflection = p.reflection.value_or(Rgb(0)),
+                refraction = p.refraction.value_or(Rgb(0));
+      integers.insert(integers.end(),
+                      {p.instance, static_cast<std::int32_t>(material),
+                       (p.reflection ? kHasReflection : 0) | (p.refraction ? kHasRefraction : 0)});
+      floats.insert(floats.end(),
+                    {p.normal.x, p.normal.y, p.normal.z, reflection.x, reflection.y, reflection.z,
+                     refraction.x, refraction.y, refraction.z, p.alpha});
+    }
+    out.list(integers);
+    out.list(floats);
+  }
+}
+
+void GlossyGrid::restore(CheckpointReader& in, const World& world) {
+  const auto require = [](bool condition) {
+    if (!condition) throw CheckpointError("its grids of reflections are invalid");
+  };
+  std::uint8_t count = 0;
+  in.value(count);
+  require(count == 0 || count == kDensities);
+  grids_.assign(count, {});
+  for (int d = 0; d < count; ++d) {
+    std::vector<std::int32_t> integers;
+    std::vector<float> floats;
+    in.list(integers);
+    in.list(floats);
+    Grid& grid = grids_[static_cast<std::size_t>(d)];
+    if (integers.empty() && floats.empty()) continue;
+    grid.width = grid_size(world.camera.width, resolution(d));
+    grid.height = grid_size(world.camera.height, resolution(d));
+    grid.points.resize(static_cast<std::size_t>(grid.width) *
+                       static_cast<std::size_t>(grid.height));
+    require(integers.size() == grid.points.size() * kGridIntegers &&
+            floats.size() == grid.points.size() * kGridFloats);
+    for (std::size_t i = 0; i < grid.points.size(); ++i) {
+      GridPoint& p = grid.points[i];
+      const std::int32_t* n = &integers[i * kGridIntegers];
+      const float* f = &floats[i * kGridFloats];
+      require(n[1] < static_cast<std::int64_t>(world.materials.size()));
+      p.instance = n[0];
+      if (n[1] >= 0) p.material = &world.materials[static_cast<std::size_t>(n[1])];
+      p.normal = Vec3(f[0], f[1], f[2]);
+      if ((n[2] & kHasReflection) != 0) p.reflection = Rgb(f[3], f[4], f[5]);
+      if ((n[2] & kHasRefraction) != 0) p.refraction = Rgb(f[6], f[7], f[8]);
+      p.alpha = f[9];
+    }
+  }
+}
+
 GlossyGrid::GlossyGrid(const World& world, const PathSettings& paths, std::uint32_t seed,
                        RayCounts& counts) {
   unsigned wanted = 0;
@@ -115,11 +188,8 @@ GlossyGrid::GlossyGrid(const World& world, const PathSettings& paths, std::uint3
     if (!(wanted & (1u << d))) continue;
     Grid& grid = grids_[static_cast<std::size_t>(d)];
     const float f = resolution(d);
-    const auto size = [&](int pixels) {
-      return static_cast<int>(std::ceil(static_cast<float>(pixels) * f));
-    };
-    grid.width = size(world.camera.width);
-    grid.height = size(world.camera.height);
+    grid.width = grid_size(world.camera.width, f);
+    grid.height = grid_size(world.camera.height, f);
     grid.points.resize(static_cast<std::size_t>(grid.width) *
                        static_cast<std::size_t>(grid.height));
     parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {

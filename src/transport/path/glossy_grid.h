@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/checkpoint_file.h"
 #include "runtime/world.h"
 #include "transport/counts.h"
 
@@ -37,8 +38,13 @@ class GlossyGrid {
   /// Grid points along one pixel.
   static float resolution(int density);
 
+  GlossyGrid() = default;
   /// Fills the grids of all materials of the world by paths as those of the picture.
   GlossyGrid(const World& world, const PathSettings& paths, std::uint32_t seed, RayCounts& counts);
+
+  void save(CheckpointWriter& out, const World& world) const;
+  /// Reads what save() wrote for the same world. Errors:  CheckpointError.
+  void restore(CheckpointReader& in, const World& world);
 
   bool empty() const { return grids_.empty(); }
   int width(int density) const;

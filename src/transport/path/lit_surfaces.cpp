@@ -162,23 +162,71 @@ LitSurfaces::LitSurfaces(const World& world, const Window& window, std::uint32_t
   for (Beam& beam : beams_) beam.probability /= total;
 }
 
+/// Sets what follows from the light and the origin.
+void LitSurfaces::place(Beam& beam, const Vec3& origin) const {
+  beam.origin = origin;
+  beam.frame = Frame(-world_->lights[static_cast<std::size_t>(beam.light)].direction);
+  const geom::Box3 box = world_->accel->bounds();
+  beam.reach = length(box.size()) + length(box.center() - beam.origin);
+}
+
+void LitSurfaces::save(CheckpointWriter& out) const {
+  out.value(std::uint64_t{beams_.size()});
+  for (const Beam& beam : beams_) {
+    out.value(std::int32_t{beam.light});
+    for (const float number : {beam.probability, beam.origin.x, beam.origin.y, beam.origin.z,
+                               beam.low.x, beam.low.y, beam.size.x, beam.size.y})
+      out.value(number);
+    out.array(beam.cells.values());
+  }
+}
+
+void LitSurfaces::restore(CheckpointReader& in, const World& world) {
+  world_ = &world;
+  beams_.clear();
+  const auto require = [](bool condition) {
+    if (!condition) throw CheckpointError("its lit surfaces are invalid");
+  };
+  std::uint64_t count = 0;
+  in.value(count);
+  require(count <= world.lights.size());
+  for (; count > 0; --count) {
+    Beam& beam = beams_.emplace_back();
+    std::int32_t light = 0;
+    in.value(light);
+    require(light >= 0 && static_cast<std::size_t>(light) < world.lights.size() &&
+            is_usable(world.lights[static_cast<std::size_t>(light)]));
+    beam.light = light;
+    Vec3 origin(0);
+    for (float* number : {&beam.probability, &origin.x, &origin.y, &origin.z, &beam.low.x,
+                          &beam.low.y, &beam.size.x, &beam.size.y}) {
+      in.value(*number);
+      require(std::isfinite(*number));
+    }
+    require(beam.probability >= 0 && beam.size.x > 0 && beam.size.y > 0);
+    place(beam, origin);
+    std::vector<float> cells(kCells * kCells);
+    in.array(cells);
+    beam.cells = sampling::Distribution2D(cells, kCells, kCells);
+  }
+}
+
 void LitSurfaces::add_beam(int light, const std::vector<Lit>& lit) {
   Beam beam;
   beam.light = light;
-  beam.frame = Frame(-world_->lights[static_cast<std::size_t>(light)].direction);
   Imath::V3d sum(0);  // double: thousands of places
   std::size_t count = 0;
   for (const Lit& l : lit)
     if (l.light == light) sum += Imath::V3d(l.position), ++count;
   if (count < kLeastFound) return;
-  beam.origin = Vec3(sum / static_cast<double>(count));
-  const auto place = [&](const Vec3& p) {
+  place(beam, Vec3(sum / static_cast<double>(count)));
+  const auto on_rectangle = [&](const Vec3& p) {
     return Vec2(dot(p - beam.origin, beam.frame.s), dot(p - beam.origin, beam.frame.t));
   };
   Vec2 low(std::numeric_limits<float>::infinity()), high(-low);
   for (const Lit& l : lit) {
     if (l.light != light) continue;
-    const Vec2 at = place(l.position);
+    const Vec2 at = on_rectangle(l.position);
     low = Vec2(std::min(low.x, at.x), std::min(low.y, at.y));
     high = Vec2(std::max(high.x, at.x), std::max(high.y, at.y));
   }
@@ -194,15 +242,13 @@ void LitSurfaces::add_beam(int light, const std::vector<Lit>& lit) {
   float total = 0;
   for (const Lit& l : lit) {
     if (l.light != light) continue;
-    const Vec2 at = place(l.position);
+    const Vec2 at = on_rectangle(l.position);
     cells[cell_along(at.y, beam.low.y, beam.size.y) * kCells +
           cell_along(at.x, beam.low.x, beam.size.x)] += l.cosine;
     total += l.cosine;
   }
   beam.probability = total;
   beam.cells = sampling::Distribution2D(smoothed(cells), kCells, kCells);
-  const geom::Box3 box = world_->accel->bounds();
-  beam.reach = length(box.size()) + length(box.center() - beam.origin);
   beams_.push_back(std::move(beam));
 }
 

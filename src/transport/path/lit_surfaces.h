@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/checkpoint_file.h"
 #include "base/frame.h"
 #include "runtime/window.h"
 #include "runtime/world.h"
@@ -33,6 +34,10 @@ class LitSurfaces {
   LitSurfaces(const World& world, const Window& window, std::uint32_t seed, RayCounts& counts);
 
   bool empty() const { return beams_.empty(); }
+
+  void save(CheckpointWriter& out) const;
+  /// Reads what save() wrote for the same world. Errors:  CheckpointError.
+  void restore(CheckpointReader& in, const World& world);
 
   struct Sample {
     int light = 0;     ///< index into World::lights
@@ -64,6 +69,7 @@ class LitSurfaces {
   };
   struct Lit;
   void add_beam(int light, const std::vector<Lit>& lit);
+  void place(Beam& beam, const Vec3& origin) const;
 
   const World* world_ = nullptr;
   std::vector<Beam> beams_;
