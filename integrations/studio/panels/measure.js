@@ -13,6 +13,8 @@ import {numberField} from "../ui/number_field.js";
 /** @typedef {import("../net/types.js").Measured} Measured */
 /** @typedef {import("../net/types.js").LuxGrid} LuxGrid */
 
+const LABEL_WIDTH = 38, LABEL_HEIGHT = 13;  // of a number in the picture, CSS pixels
+
 /** @param {number} v */
 const digits = (v) => Number.isFinite(v) ? String(Number(v.toPrecision(4))) : "–";
 /** @param {number[] | undefined} v */
@@ -120,6 +122,7 @@ function createGrid(app) {
     context.globalAlpha = age.isOld() ? 0.4 : 1;
     context.font = `${11 * ratio}px system-ui, sans-serif`;
     context.textAlign = "center";
+    /** @type {number[][]} */ const labels = [];
     for (const sensor of result.sensors) {
       const pixel = project(sensor.position, state.look, state.fov, state.size);
       if (!pixel || pixel[0] < 0 || pixel[1] < 0 || pixel[0] > state.size[0] || pixel[1] > state.size[1]) continue;
@@ -131,6 +134,9 @@ function createGrid(app) {
       context.lineWidth = ratio;
       context.strokeStyle = "#fff";
       context.stroke();
+      // Numbers that would cover others are left out; the table has them all.
+      if (labels.some((l) => Math.abs(l[0] - x) < LABEL_WIDTH * ratio && Math.abs(l[1] - y) < LABEL_HEIGHT * ratio)) continue;
+      labels.push([x, y]);
       context.lineWidth = 3 * ratio;
       context.strokeStyle = "rgb(0 0 0 / 0.75)";
       context.fillStyle = "#fff";
