@@ -171,9 +171,18 @@ INSTANTIATE_TEST_SUITE_P(Random, EditSequence, ::testing::Range(0u, 3u));
 
 /// Each edit alone and taken back, and what it prepares.
 TEST_F(FullScene, EachEditPreparesItsDependentsOnly) {
-  RenderLoop live(source(), {}, {});
-  live.set_view(small_view());
-  ASSERT_TRUE(live.read());
+  LoopSettings settings;
+  settings.first_divider = 1;
+  ViewSettings view = small_view();
+  view.budget.samples = 2;
+  const auto opened = [&] {
+    auto loop = std::make_unique<RenderLoop>(source(), settings, RenderLoop::Show());
+    loop->set_view(view);
+    EXPECT_TRUE(loop->read());
+    return loop;
+  };
+  const auto kept = opened();
+  RenderLoop& live = *kept;
   finish(live);
   const vector<float> first = pictures(live);
   for (const vector<std::string>& values : kValues) {
@@ -184,6 +193,10 @@ TEST_F(FullScene, EachEditPreparesItsDependentsOnly) {
     EXPECT_EQ(live.scene().preparations() - before, prepares_everything(values[0]) ? 1u : 0u)
         << edit;
     EXPECT_NE(pictures(live), first) << edit << " has no effect";
+    const auto fresh = opened();
+    fresh->set_edits({edit});
+    finish(*fresh);
+    EXPECT_EQ(pictures(live), pictures(*fresh)) << edit;
     live.set_edits({});
     finish(live);
     EXPECT_EQ(pictures(live), first) << edit << " taken back";
