@@ -12,6 +12,7 @@ check_files() {
   for file in bin/oriel lib/oriel/liboriel_image_files.so share/oriel/templates.mi \
       share/oriel/mi/{base,architectural,physics,oriel}.mi include/oriel/sdk/shader.h \
       lib/cmake/OrielShaders/OrielShadersConfig.cmake lib/pkgconfig/oriel-shaders.pc \
+      lib/liboriel.so include/oriel/oriel.h share/oriel/examples/embed/relight.c share/oriel/studio/index.html \
       share/oriel/examples/scenes/{nine-tiles,room}.mi; do
     [[ -f $1/$file ]] || fail "no $file"
   done
@@ -44,6 +45,19 @@ check_shader_build() {
   run "$1" shader-build "$1/share/oriel/examples/shaders/material" -o "$root/example.so" \
     >"$root/said" 2>&1 || { cat "$root/said"; fail "shader-build"; }
   [[ -s $root/example.so ]] || fail "no library of shaders"
+}
+
+# check_embedding PREFIX: the C example builds with the installed header and library, and sees an edit.
+check_embedding() {
+  local prefix=$1 compiler
+  compiler=$(command -v cc gcc clang | head -1) || { echo "no C compiler: liboriel is not tried"; return; }
+  sed 's/resolution [0-9]* [0-9]*/resolution 24 24/' "$prefix/share/oriel/examples/scenes/nine-tiles.mi" \
+    >"$root/embedded.mi"
+  "$compiler" -I "$prefix/include" "$prefix/share/oriel/examples/embed/relight.c" -o "$root/relight" \
+    -L "$prefix/lib" -loriel -Wl,-rpath,"$prefix/lib" -Wl,--allow-shlib-undefined || fail "relight.c"
+  (cd "$root" && env -i HOME="$root" ./relight embedded.mi "white_matte.diffuse=.9 .1 .1" >"$root/said") ||
+    fail "relight"
+  [[ $(sed 's/^[a-z]*: //' "$root/said" | sort -u | wc -l) == 2 ]] || fail "the edit has no effect"
 }
 
 # check_bundle PREFIX: every library of the program and its module is in the installation, except

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 
 #include "base/parallel.h"
@@ -104,7 +105,8 @@ studio::StudioSettings studio_settings(const StudioArguments& a, const RenderPla
 }
 
 /// Serves until the server ends; in a process of its own.
-int serve(const StudioArguments& a, studio::ServerSettings server_settings, bool after_crash) {
+int serve(const StudioArguments& a, studio::ServerSettings server_settings,
+          const std::string& crash) {
   const RenderPlan plan = render_plan(a.render);
   const ThreadLimit limit(a.render.threads);
   if (a.render.isolate_readers || a.render.scene.trust.untrusted) isolate_readers({});
@@ -112,7 +114,7 @@ int serve(const StudioArguments& a, studio::ServerSettings server_settings, bool
   Diagnostics code_diagnostics;
   SceneCode code(a.render.scene, code_diagnostics);
   studio::StudioSettings settings = studio_settings(a, plan, code);
-  settings.after_crash = after_crash;
+  settings.crash = crash;
   studio::StudioServices services;
   services.explain = explain_for_studio;
   services.program = fs::read_symlink("/proc/self/exe").string();
@@ -136,7 +138,7 @@ void forward_signal(int number) {
 /// that the page only has to connect again. Crashes before any client could act end the program.
 int supervise(const StudioArguments& a, const studio::ServerSettings& settings) {
   using Clock = std::chrono::steady_clock;
-  bool after_crash = false;
+  std::string crash;
   int quick_crashes = 0;
   for (;;) {
     const Clock::time_point begun = Clock::now();
@@ -150,7 +152,7 @@ int supervise(const StudioArguments& a, const studio::ServerSettings& settings) 
       if (getppid() != parent) _exit(kExitFailed);
       int code = kExitFailed;
       try {
-        code = serve(a, settings, after_crash);
+        code = serve(a, settings, crash);
       } catch (const std::exception& error) {
         fmt::print(stderr, "oriel: {}\n", error.what());
         std::fflush(nullptr);
@@ -172,7 +174,7 @@ int supervise(const StudioArguments& a, const studio::ServerSettings& settings) 
     fmt::print(stderr, "oriel: the renderer ended by signal {}; it is started again\n", number);
     quick_crashes = Clock::now() - begun < std::chrono::seconds(1) ? quick_crashes + 1 : 0;
     if (quick_crashes > 3) return kExitFailed;
-    after_crash = true;
+    crash = fmt::format("signal {}: {}", number, strsignal(number));
   }
 }
 

@@ -20,7 +20,7 @@ bool is_scene(const fs::path& path) {
 }
 
 void convert_model(const std::string& program, const std::string& model, const std::string& scene) {
-  std::string words[] = {program, "convert", model, "-o", scene, "--daylight"};
+  std::string words[] = {program, "convert", model, scene, "--daylight"};
   char* arguments[std::size(words) + 1] = {};
   for (std::size_t i = 0; i < std::size(words); ++i) arguments[i] = words[i].data();
   pid_t child = 0;

@@ -2,6 +2,7 @@
 #include "interactive/edited_scene.h"
 
 #include <algorithm>
+#include <set>
 
 namespace oriel::interactive {
 
@@ -25,29 +26,42 @@ std::vector<std::string> EditedScene::apply(const std::vector<std::string>& edit
   return targets;
 }
 
+/// Edits of `a` that are not in `b`. The order matters only between edits of the same parameter of
+/// the same element: with such edits, all from the first difference on.
+EditEffects EditedScene::effects_of_difference(const AppliedEdits& a, const AppliedEdits& b) const {
+  const auto repeats_parameters = [&](const AppliedEdits& list) {
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < list.edits.size(); ++i) {
+      const std::string parameter = parse_edit(scene_, list.edits[i]).parameter;
+      if (!seen.insert(list.targets[i] + "." + parameter).second) return true;
+    }
+    return false;
+  };
+  const bool ordered = repeats_parameters(a) || repeats_parameters(b);
+  const std::set<std::string> known(b.edits.begin(), b.edits.end());
+  const auto first =
+      std::mismatch(a.edits.begin(), a.edits.end(), b.edits.begin(), b.edits.end()).first;
+  EditEffects effects;
+  for (std::size_t i = 0; i < a.edits.size(); ++i) {
+    const bool differs = ordered ? i >= static_cast<std::size_t>(first - a.edits.begin())
+                                 : !known.contains(a.edits[i]);
+    if (differs) effects |= effects_of(scene_, a.targets[i], parse_edit(scene_, a.edits[i]));
+  }
+  return effects;
+}
+
 EditEffects EditedScene::set(const std::vector<std::string>& edits) {
-  const std::vector<std::string> old_edits = edits_, old_targets = targets_;
+  const AppliedEdits old = now_;
   restore();
   try {
-    targets_ = apply(edits);
+    now_ = {edits, apply(edits)};
   } catch (const EditError&) {
     restore();
-    targets_ = apply(old_edits);
+    now_ = {old.edits, apply(old.edits)};
     throw;
   }
-  edits_ = edits;
-  const auto [old_at, new_at] =
-      std::mismatch(old_edits.begin(), old_edits.end(), edits_.begin(), edits_.end());
-  EditEffects effects;
-  const auto add = [&](const std::vector<std::string>& list,
-                       const std::vector<std::string>& targets, std::size_t from) {
-    for (std::size_t i = from; i < list.size(); ++i)
-      effects |= effects_of(scene_, targets[i], parse_edit(scene_, list[i]));
-  };
-  const auto from = static_cast<std::size_t>(new_at - edits_.begin());
-  add(old_edits, old_targets, static_cast<std::size_t>(old_at - old_edits.begin()));
-  add(edits_, targets_, from);
-  return effects;
+  EditEffects effects = effects_of_difference(old, now_);
+  return effects |= effects_of_difference(now_, old);
 }
 
 std::vector<std::string> EditedScene::changed() const {

@@ -29,19 +29,23 @@ class EditedScene {
   ///          then as before.
   EditEffects set(const std::vector<std::string>& edits);
 
-  const std::vector<std::string>& edits() const { return edits_; }
+  const std::vector<std::string>& edits() const { return now_.edits; }
   /// Names of the elements that differ from what was read.
   std::vector<std::string> changed() const;
 
  private:
+  struct AppliedEdits {
+    std::vector<std::string> edits;
+    std::vector<std::string> targets;  ///< changed element of each edit
+  };
+  EditEffects effects_of_difference(const AppliedEdits& a, const AppliedEdits& b) const;
   void restore();
   /// Element that each edit changed.
   std::vector<std::string> apply(const std::vector<std::string>& edits);
 
   scene::Scene& scene_;
   const Registry& registry_;
-  std::vector<std::string> edits_;
-  std::vector<std::string> targets_;  ///< changed element of each edit
+  AppliedEdits now_;
   std::map<std::string, scene::Element> originals_;
 };
 

@@ -35,6 +35,8 @@ class InteractiveSession {
   /// From any thread.
   void post(Task task);
   void set_paused(bool paused);
+  /// See RenderLoop::set_pointer().
+  void set_pointer(const std::optional<std::array<int, 2>>& pixel) { loop_.set_pointer(pixel); }
   /// The newest picture; null before the first.
   std::shared_ptr<const Picture> picture() const;
   LoopStatus status() const { return loop_.status(); }

@@ -61,16 +61,21 @@ PrepareOptions PreparedScene::prepare_options(const ViewSettings& view, int widt
   options.width = width;
   options.height = height;
   options.camera = view.camera;
-  options.light_groups = view.light_groups;
-  if (view.group_lights && options.light_groups.empty())
-    options.light_groups = group_lights(*scene_, command());
+  options.light_groups = light_groups(view);
   return options;
 }
 
-/// Whether shaders that were bound again have grown beyond the limit.
+std::vector<scene::LightGroup> PreparedScene::light_groups(const ViewSettings& view) const {
+  if (view.group_lights && view.light_groups.empty()) return group_lights(*scene_, command());
+  return view.light_groups;
+}
+
+/// Whether shaders and textures that were bound again have grown beyond the limit.
 bool PreparedScene::is_crowded() const {
   constexpr std::size_t kSpareNodes = 2000;
-  return world_->nodes.size() > 2 * nodes_at_first_ + kSpareNodes;
+  constexpr std::size_t kSpareTextures = 20;
+  return world_->nodes.size() > 2 * nodes_at_first_ + kSpareNodes ||
+         world_->textures.size() > 2 * textures_at_first_ + kSpareTextures;
 }
 
 bool PreparedScene::prepare_all(const ViewSettings& view, int width, int height) {
@@ -85,13 +90,29 @@ bool PreparedScene::prepare_all(const ViewSettings& view, int width, int height)
   world_ = prepare(*scene_, command(), host_->registry(), options, diagnostics_, report);
   if (!world_) return false;
   nodes_at_first_ = world_->nodes.size();
+  textures_at_first_ = world_->textures.size();
   camera_at_first_ = world_->camera;
   if (source_.indirect) world_->options.indirect = *source_.indirect;
   if (const scene::Camera* camera = find_camera(*scene_, command(), view.camera))
     outputs_ = camera_output_shaders(*camera, *scene_, host_->registry(), *world_, diagnostics_);
+  find_unit();
+  return true;
+}
+
+void PreparedScene::find_unit() {
   Diagnostics reported;  // contradictions matter to photometric files alone
   unit_ = source_.unit_luminance ? UnitLuminance{*source_.unit_luminance, "--unit-luminance"}
                                  : unit_luminance(*world_, outputs_, reported);
+}
+
+bool PreparedScene::prepare_dependents(const std::set<std::string>& elements,
+                                       const ViewSettings& view, int width, int height) {
+  if (is_crowded()) return false;
+  PrepareOptions options = prepare_options(view, width, height);
+  options.cache = &cache_;
+  if (!update_world(*scene_, command(), host_->registry(), options, elements, *world_))
+    return false;
+  find_unit();
   return true;
 }
 
@@ -115,10 +136,9 @@ bool PreparedScene::place_camera_alone(const ViewSettings& view, int width, int 
 bool PreparedScene::update(const EditEffects& effects, const ViewSettings& view, int width,
                            int height) {
   if (!scene_) return false;
-  const bool all = !world_ || effects.has(kEffectWorld) ||
-                   (effects.has(kEffectMaterials) &&
-                    (is_crowded() || !bind_materials_again(*scene_, effects.materials,
-                                                           host_->registry(), *world_)));
+  const bool all =
+      !world_ || effects.has(kEffectWorld) ||
+      (effects.has(kEffectElements) && !prepare_dependents(effects.elements, view, width, height));
   if (all || (effects.has(kEffectCamera) && !place_camera_alone(view, width, height)))
     if (!prepare_all(view, width, height)) return false;
   apply_look(view);

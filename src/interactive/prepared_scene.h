@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "interactive/edited_scene.h"
@@ -40,7 +41,7 @@ struct SceneSource {
 /// A scene and its world.
 ///
 /// Model:   update() prepares as little as the effects allow: nothing of the world for the film,
-///          the camera alone, the shaders of materials, else everything but unchanged meshes.
+///          the camera alone, what depends on an element, else everything but unchanged meshes.
 ///          Shaders that are bound again are added to the world, which is prepared as a whole
 ///          before it has more than twice as many (and kSpareNodes) as at first. The world is
 ///          always equal to that of a scene that was read and edited afresh.
@@ -76,6 +77,8 @@ class PreparedScene {
   Diagnostics& diagnostics() { return diagnostics_; }
   /// Output shaders of the camera.
   const NodeList& output_shaders() const { return outputs_; }
+  /// The light groups of a view, besides those of the scene.
+  std::vector<scene::LightGroup> light_groups(const ViewSettings& view) const;
   /// A world of the present scene for one use, e.g. with other light layers; null on failure.
   std::unique_ptr<World> separate_world(const ViewSettings& view);
 
@@ -83,6 +86,10 @@ class PreparedScene {
   PrepareOptions prepare_options(const ViewSettings& view, int width, int height) const;
   bool prepare_all(const ViewSettings& view, int width, int height);
   bool is_crowded() const;
+  /// Prepares what depends on the elements. False: the world has to be prepared again.
+  bool prepare_dependents(const std::set<std::string>& elements, const ViewSettings& view,
+                          int width, int height);
+  void find_unit();
   /// Places the scene's camera again. False: more depends on its change.
   bool place_camera_alone(const ViewSettings& view, int width, int height);
   void apply_look(const ViewSettings& view);
@@ -97,8 +104,9 @@ class PreparedScene {
   std::unique_ptr<World> world_;
   std::size_t reading_diagnostics_ = 0;  ///< number of messages of the reader
   std::size_t preparations_ = 0;
-  std::size_t nodes_at_first_ = 0;  ///< bound shaders after the last preparation of everything
-  Camera camera_at_first_;          ///< the scene's camera then
+  /// bound shaders and textures after the last preparation of everything
+  std::size_t nodes_at_first_ = 0, textures_at_first_ = 0;
+  Camera camera_at_first_;  ///< the scene's camera then
   NodeList outputs_;
   UnitLuminance unit_;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "interactive/map_files.h"
+#include "interactive/tile_order.h"
 #include "output/camera_output.h"
 
 namespace oriel::interactive {
@@ -123,6 +124,27 @@ std::array<int, 2> RenderLoop::scaled_pixel(int x, int y) const {
 LoopStatus RenderLoop::status() const {
   const std::scoped_lock lock(mutex_);
   return status_;
+}
+
+void RenderLoop::set_pointer(const std::optional<std::array<int, 2>>& pixel) {
+  const std::scoped_lock lock(mutex_);
+  pointer_ = pixel;
+}
+
+void RenderLoop::render_tiles(const std::vector<int>& tiles,
+                              const std::function<void(int)>& render_tile) {
+  std::optional<std::array<int, 2>> pointer;
+  {
+    const std::scoped_lock lock(mutex_);
+    pointer = pointer_;
+  }
+  if (!pointer) return for_each_tile(tiles, render_tile);
+  const auto [x, y] = scaled_pixel((*pointer)[0], (*pointer)[1]);
+  const Window& window = session_->window();
+  const Vec2 pixel(static_cast<float>(x - window.x0),
+                   static_cast<float>(session_->world().camera.height - 1 - y - window.y0));
+  const TileGrid grid(session_->film().width(), session_->film().height());
+  for_each_tile(tiles_near(pixel, grid, tiles), render_tile);
 }
 
 std::uint32_t RenderLoop::next_epoch() const {
@@ -266,6 +288,9 @@ bool RenderLoop::run_final(const std::atomic<bool>& cancel) {
   };
   callbacks.wants_pause = [this] { return session_->progress().pass > 0 && is_copy_due(); };
   callbacks.paused = [this] { copy_picture(*session_, 1, false); };
+  callbacks.spread = [this](const std::vector<int>& tiles, const auto& render_tile, const auto&) {
+    render_tiles(tiles, render_tile);
+  };
   const StopReason reason = session_->run(callbacks, &cancel);
   count_messages();
   set_progress(session_->progress(), 1);

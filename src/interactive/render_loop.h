@@ -46,7 +46,7 @@ struct LoopSettings {
 ///          first would take longer than kFirstPictureSeconds, it is reduced further. The full-size
 ///          session is that of `oriel render`
 ///          with the same seed and budget, so its result has the same bytes; it is continued after
-///          interruptions without a change.
+///          interruptions without a change. Its passes start with the tiles near the pointer.
 /// Checked: EditTable.*, RenderLoopTest.* in tests/interactive
 class RenderLoop {
  public:
@@ -75,6 +75,9 @@ class RenderLoop {
   bool prepare();
   /// From any thread.
   LoopStatus status() const;
+  /// The pixel of the full-size picture, from the upper left, near which the picture refines first;
+  /// unset: everywhere alike. Changes nothing of the finished picture. From any thread.
+  void set_pointer(const std::optional<std::array<int, 2>>& pixel);
   /// The epoch of the next picture.
   std::uint32_t next_epoch() const;
   const Diagnostics& diagnostics() const { return diagnostics_; }
@@ -97,6 +100,8 @@ class RenderLoop {
   int start_divider() const;
   bool run_preview(const std::atomic<bool>& cancel);
   bool run_final(const std::atomic<bool>& cancel);
+  /// Callback of passes, see Progressive.
+  void render_tiles(const std::vector<int>& tiles, const std::function<void(int)>& render_tile);
   void copy_picture(const RenderSession& session, int divider, bool preview, bool final = false);
   /// Whether a copy has its denoised layer denoised.
   bool denoises(const RenderSession& session, bool preview, bool final) const;
@@ -121,7 +126,8 @@ class RenderLoop {
   double denoise_seconds_ = 0;        ///< of the last copy that was denoised
   double reduced_pixel_seconds_ = 0;  ///< time for a pixel of a reduced picture; 0 = unknown
   mutable std::mutex mutex_;
-  LoopStatus status_;
+  LoopStatus status_;                               // guarded by mutex_
+  std::optional<std::array<int, 2>> pointer_ = {};  // likewise
 };
 
 }  // namespace oriel::interactive

@@ -22,11 +22,30 @@ std::optional<Mat4> camera_matrix(const Look& look) {
   return to_world.inverse();
 }
 
+namespace {
+
+/// The vertical axis of the scene if the camera is upright with respect to it, so that navigation
+/// keeps it upright; otherwise the camera's own.
+Vec3 up_of(const Vec3& right, const Vec3& camera_up) {
+  constexpr float kUpright = 1e-3f;
+  Vec3 up = camera_up;
+  float most = 0;
+  for (const Vec3& axis : {Vec3(0, 0, 1), Vec3(0, 1, 0)})
+    if (std::abs(dot(right, axis)) < kUpright && dot(camera_up, axis) > most) {
+      most = dot(camera_up, axis);
+      up = axis;
+    }
+  return up;
+}
+
+}  // namespace
+
 Look look_of(const Camera& camera, float distance) {
   const Mat4& m = camera.to_world;
   const Vec3 from = transform_point(Vec3(0), m);
   return {from, from - normalize(transform_vector(Vec3(0, 0, 1), m)) * distance,
-          normalize(transform_vector(Vec3(0, 1, 0), m))};
+          up_of(normalize(transform_vector(Vec3(1, 0, 0), m)),
+                normalize(transform_vector(Vec3(0, 1, 0), m)))};
 }
 
 std::array<int, 2> reduced_size(int width, int height, int divider) {

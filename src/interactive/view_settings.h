@@ -26,7 +26,9 @@ struct Look {
 /// Checked: RenderLoopTest.LooksArePlacedLikeInstances
 std::optional<Mat4> camera_matrix(const Look& look);
 
-/// The look of a camera with a target at that distance.
+/// The look of a camera with a target at that distance. `up` is the vertical axis, z or y, of which
+/// the camera is upright; else that of the camera.
+/// Checked: ViewSettings.*
 Look look_of(const Camera& camera, float distance);
 
 struct ViewSettings {

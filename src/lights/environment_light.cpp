@@ -46,8 +46,8 @@ EnvironmentLight::EnvironmentLight(const World& world) : table_(world) {
     standing_out[i] = kPlainShare * proportion[i] +
                       stretch * std::max(0.0f, luminances[i] - mean_luminance_) * angles[i];
   }
-  in_proportion_ = std::make_unique<sampling::Distribution2D>(proportion, side, side);
-  standing_out_ = std::make_unique<sampling::Distribution2D>(standing_out, side, side);
+  in_proportion_ = std::make_shared<const sampling::Distribution2D>(proportion, side, side);
+  standing_out_ = std::make_shared<const sampling::Distribution2D>(standing_out, side, side);
 }
 
 EnvironmentLight::Sample EnvironmentLight::sample_from(const sampling::Distribution2D& distribution,

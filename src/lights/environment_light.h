@@ -12,7 +12,8 @@ namespace oriel {
 
 /// The scene's environment as a light, as diffuse surfaces see it.
 ///
-/// Model:   densities over the cells of its table, an octahedral square of directions.
+/// Model:   densities over the cells of its table, an octahedral square of directions. Copies share
+///          the densities.
 class EnvironmentLight {
  public:
   EnvironmentLight() = default;
@@ -46,7 +47,7 @@ class EnvironmentLight {
   Sample sample_from(const sampling::Distribution2D& distribution, Vec2 u) const;
 
   EnvironmentTable table_;
-  std::unique_ptr<sampling::Distribution2D> in_proportion_, standing_out_;
+  std::shared_ptr<const sampling::Distribution2D> in_proportion_, standing_out_;
   float mean_luminance_ = 0, unevenness_ = 0;
 };
 

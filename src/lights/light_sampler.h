@@ -160,6 +160,8 @@ class LightSampler {
     return environment_.table().radiance(world_, ray, sampled.cell);
   }
 
+  const Openings& openings() const { return openings_; }
+
   // Emissive triangles
 
   const MeshLights& mesh_lights() const { return mesh_lights_; }

@@ -56,16 +56,21 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
 bool place_camera_again(const scene::Scene& scene, const scene::RenderCommand& command,
                         const PrepareOptions& options, World& world, Diagnostics& diagnostics);
 
-/// Binds materials of a prepared world again, after a change of parameters of materials or of named
-/// shaders.
+/// Prepares again what depends on elements of the scene that have changed.
 ///
-/// Inputs:  changed: names of those elements.
-/// Returns: false if more than the shading of materials depends on the change, or might: other
-///          elements refer to it, a material emits or transmits light or displaces its surface, the
-///          world has shaders of users, or a message was reported. The world has then to be
-///          prepared again.
-/// Checked: EditTable.* in tests/interactive
-bool bind_materials_again(const scene::Scene& scene, const std::set<std::string>& changed,
-                          const Registry& registry, World& world);
+/// Model:   materials are bound again; a light renews all lights and their sampler; what refers to
+/// a
+///          changed light or shader is bound again; an instance renews all instances, with the same
+///          meshes; emission renews the sampler. The world is then equal to a new one.
+/// Inputs:  changed: names of materials, lights, named shaders, textures, instances, and of cameras
+///          whose shaders changed. options: with the cache of the world's geometry.
+/// Returns: false if more depends on the change, or might: the names of lights or instances,
+/// shaders
+///          of users, displacement, volumes, another camera placement, messages that were or are
+///          reported. The world cannot be rendered then and has to be prepared again.
+/// Checked: EditTable.*, EditSequence.* in tests/interactive
+bool update_world(scene::Scene& scene, const scene::RenderCommand& command,
+                  const Registry& registry, const PrepareOptions& options,
+                  const std::set<std::string>& changed, World& world);
 
 }  // namespace oriel

@@ -12,17 +12,23 @@
 namespace oriel {
 namespace {
 
-/// Materials by name; each is bound once.
+/// Materials by name; each is bound once. Materials that the world has are not bound again.
 class MaterialTable {
  public:
   MaterialTable(const scene::Scene& scene, Binder& binder, World& world, Diagnostics& diagnostics)
-      : scene_(scene), binder_(binder), world_(world), diagnostics_(diagnostics) {}
+      : scene_(scene), binder_(binder), world_(world), diagnostics_(diagnostics) {
+    for (std::size_t i = 0; i < world.materials.size(); ++i)
+      known_.try_emplace(world.materials[i].name, static_cast<int>(i));
+  }
 
   int find(const std::string& name, SourceLocation where) {
     const auto [entry, is_new] =
         known_.try_emplace(name, static_cast<int>(world_.materials.size()));
-    if (is_new)
+    if (is_new) {
+      const std::size_t before = diagnostics_.all().size();
       world_.materials.push_back(bind_material(scene_, name, where, binder_, diagnostics_));
+      world_.materials.back().has_messages = diagnostics_.all().size() != before;
+    }
     return entry->second;
   }
 

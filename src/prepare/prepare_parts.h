@@ -2,10 +2,13 @@
 // The steps of prepare(); each sets its part of the World.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "lights/environment_light.h"
+#include "lights/openings.h"
 #include "prepare/prepare.h"
 #include "scene/hierarchy.h"
 
@@ -31,7 +34,22 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
 Material bind_material(const scene::Scene& scene, const std::string& name, SourceLocation where,
                        Binder& binder, Diagnostics& diagnostics);
 
-/// Creates meshes, instances and their materials. options_name: the options element of the picture.
+/// Binds the environment; requires the bound lights. Only the textures of lights and of the
+/// environment may be bound.
+EnvironmentLight bind_environment(const scene::Camera& camera, Binder& binder, World& world);
+
+/// Binds state shaders, lens and volume shaders. options: null = none.
+void bind_camera_shaders(const scene::Options* options, const scene::Camera& camera, Binder& binder,
+                         World& world, Diagnostics& diagnostics);
+
+/// Opens the portals, creates the light sampler and the light layers, from everything else.
+/// Inputs:  openings: unset: they are searched.
+void sample_lights(const std::vector<scene::Leaf>& leaves, const PrepareOptions& options,
+                   EnvironmentLight environment, std::optional<Openings> openings, World& world,
+                   Diagnostics& diagnostics);
+
+/// Creates meshes, instances and their materials; materials of the world are used again.
+/// options_name: the options element of the picture.
 void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
                     const LightNames& lights, const std::string& options_name, Binder& binder,
                     const PrepareOptions& options, World& world, Diagnostics& diagnostics,

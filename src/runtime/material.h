@@ -25,7 +25,8 @@ struct Material {
   bool may_transmit = false;       ///< shadow rays must shade the surface
   bool may_have_holes = false;     ///< cut-outs; for rays that pass nothing else
   bool opaque = false;
-  bool outputs = true;  ///< false: the result is the only output (multiple_outputs off)
+  bool has_messages = false;  ///< messages were reported while it was bound
+  bool outputs = true;        ///< false: the result is the only output (multiple_outputs off)
 
   /// Whether shaders other than the surface's determine shadows.
   bool filters_shadows() const { return !shadow.empty() || !shadow_surface.empty(); }

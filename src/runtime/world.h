@@ -59,6 +59,14 @@ struct InstanceData {
   std::uint16_t visibility = kAllVisibility;  ///< VisibilityFlags
 };
 
+/// Parts of a world that are prepared one after the other, without geometry; bits.
+enum PreparedPart : std::uint8_t {
+  kPartLights = 1u << 0,
+  kPartEnvironment = 1u << 1,
+  kPartCameraShaders = 1u << 2,
+  kPartSampler = 1u << 3,  ///< with openings, portals and light layers
+};
+
 /// A frame buffer that shaders write to (`frame buffer N "type"`, `framebuffer` of the camera).
 struct UserBuffer {
   int number = 0;
@@ -73,6 +81,9 @@ struct World {
   /// Environment tables are small: its shaders are called a few thousand times, so that they report
   /// problems. Such a world cannot be rendered.
   bool coarse_tables = false;
+  /// PreparedPart bits: parts that reported messages, which would be listed twice if the part were
+  /// prepared again.
+  unsigned parts_with_messages = 0;
   std::vector<UserBuffer> user_buffers;  ///< empty if no bound shader can write them
   scene::RenderOptions options;
   scene::Shutter shutter;

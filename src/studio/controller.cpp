@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/controller.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -44,12 +45,12 @@ Controller::Controller(StudioSettings settings, StudioServices services)
     send_progress();
     announce_messages();
   };
-  crashed_ = settings_.after_crash;
+  crashed_ = !settings_.crash.empty();
   session_ = std::make_unique<interactive::InteractiveSession>(settings_.source, settings_.loop,
                                                                callbacks);
   session_->post([this](Loop& loop) {
     if (crashed_) {
-      history_.push(journal_ ? journal_->read() : std::vector<std::string>());
+      if (journal_) push_each(journal_->read());
       return;
     }
     if (!loop.read()) return announce_state();
@@ -86,8 +87,15 @@ void Controller::start(Loop& loop) {
       edits.pop_back();
     }
   }
-  if (!edits.empty()) history_.push(edits);
+  push_each(edits);
   announce_state();
+}
+
+/// Makes a step of undo for each of the last edits, and one for those before.
+void Controller::push_each(const std::vector<std::string>& edits) {
+  constexpr std::size_t kSteps = 50;
+  for (std::size_t n = edits.size() - std::min(edits.size(), kSteps) + 1; n <= edits.size(); ++n)
+    history_.push({edits.begin(), edits.begin() + static_cast<std::ptrdiff_t>(n)});
 }
 
 void Controller::send(const json& message) {
@@ -118,9 +126,7 @@ void Controller::client_connected() {
           {"model", settings_.is_model}}}});
   if (crashed_)
     session_->post([this](Loop&) {
-      send({{"type", "crashed"},
-            {"message", "the renderer ended unexpectedly; the edits were kept"},
-            {"edits", history_.now().size()}});
+      send({{"type", "crashed"}, {"message", settings_.crash}, {"edits", history_.now().size()}});
     });
   hidden_ = left_ = false;
   update_pause();
@@ -140,12 +146,25 @@ void Controller::text(const std::string& message) {
   if (!request.contains("type") || !request["type"].is_string())
     return send_error(id, "bad-request", "the field \"type\" is missing");
   const std::string type = request["type"];
-  if (type == "cancel") return;  // long requests end when any request follows
+  if (type == "pointer") return set_pointer(request);
+  // Long requests end when any request follows.
+  if (type == "cancel") return session_->post([](Loop&) {});
   const auto found = handlers().find(type);
   if (found == handlers().end())
     return send_error(id, "unknown-type", "unknown type \"" + type + "\"");
   const Handler handler = found->second;
   session_->post([this, handler, request](Loop& loop) { run_request(loop, handler, request); });
+}
+
+/// No task of the session: it would interrupt the picture.
+void Controller::set_pointer(const json& request) {
+  std::optional<std::array<int, 2>> pixel;
+  try {
+    if (request.contains("x")) pixel = {int_field(request, "x"), int_field(request, "y")};
+  } catch (const RequestError& error) {
+    return send_error({}, error.code, error.what());
+  }
+  session_->set_pointer(pixel);
 }
 
 void Controller::run_request(Loop& loop, Handler handler, const json& request) {

@@ -46,8 +46,9 @@ struct StudioSettings {
   std::string shown_name;  ///< the file that the user named
   bool is_model = false;
   std::string journal;  ///< file of unsaved edits; empty: none
-  /// The renderer ended abnormally before: start paused, with the edits of the journal.
-  bool after_crash = false;
+  /// Not empty: why the renderer ended before. It starts paused then, with the edits of the
+  /// journal.
+  std::string crash;
 };
 
 /// Answers messages by an interactive session.
@@ -79,6 +80,7 @@ class Controller final : public ServerHandler {
 
   void send(const json& message);
   void send_error(const json& id, const std::string& code, const std::string& message);
+  void set_pointer(const json& request);
   void run_request(Loop& loop, Handler handler, const json& request);
   void send_progress();
   void announce_state();
@@ -86,6 +88,7 @@ class Controller final : public ServerHandler {
   void send_state(Loop& loop);
   void send_messages(Loop& loop);
   void start(Loop& loop);
+  void push_each(const std::vector<std::string>& edits);
   void update_pause();
   /// The last request `daylight`, if its edits are still in the list; else null.
   json present_daylight() const;
@@ -120,6 +123,8 @@ class Controller final : public ServerHandler {
   json job(Loop& loop, const json& request);
 
   ApiAnswer upload(const ApiRequest& request) const;
+  /// The edit that makes the present look that of the scene's camera; unset without a look.
+  std::optional<std::string> camera_edit(Loop& loop) const;
   std::vector<std::string> render_words(Loop& loop) const;
   std::string scene_folder() const;
   std::uint64_t keep_result(std::string bytes, std::string type);

@@ -97,6 +97,43 @@ ApiAnswer api_error(unsigned status, const std::string& code, const std::string&
           std::make_shared<const std::string>(dumped(body))};
 }
 
+void remove_option(std::vector<std::string>& words, std::string_view name) {
+  const auto found = std::find(words.begin(), words.end(), name);
+  if (found != words.end()) words.erase(found, found + 2);
+}
+
+/// The words of the present picture with what the request of a final render replaces. A final
+/// render has the whole picture.
+std::vector<std::string> job_words(std::vector<std::string> words, const json& request) {
+  const auto option = [&](const char* name, const std::string& value) {
+    remove_option(words, name);
+    words.insert(words.end(), {name, value});
+  };
+  remove_option(words, "--crop");
+  if (const auto n = optional_number(request, "samples"))
+    option("--samples", std::to_string(static_cast<long>(*n)));
+  if (const auto n = optional_number(request, "noise")) option("--noise", fmt::format("{}", *n));
+  if (const auto n = optional_number(request, "seconds")) option("--time", fmt::format("{}", *n));
+  if (const auto size = request.find("size"); size != request.end() && size->is_array()) {
+    const bool is_size = size->size() == 2 && (*size)[0].is_number() && (*size)[1].is_number();
+    if (!is_size) throw RequestError("bad-request", "the field \"size\" has a wrong form");
+    const auto side = [&](std::size_t i) {
+      return std::clamp((*size)[i].get<double>(), 1.0, 65536.0);
+    };
+    option("--size", fmt::format("{:.0f}x{:.0f}", side(0), side(1)));
+  }
+  if (const std::string camera = optional_text(request, "camera"); !camera.empty())
+    option("--camera", camera);
+  if (request.contains("layers")) {
+    // Without names of the page that are no layers of files, such as that of the denoised picture.
+    std::vector<std::string> layers = texts_field(request, "layers");
+    std::erase_if(layers, [](const std::string& name) { return LayerSet(name).empty(); });
+    if (!layers.empty()) option("--layers", fmt::format("{}", fmt::join(layers, ",")));
+  }
+  if (request.contains("denoise") && request["denoise"] == true) words.emplace_back("--denoise");
+  return words;
+}
+
 }  // namespace
 
 std::vector<std::string> Controller::render_words(Loop& loop) const {
@@ -104,6 +141,10 @@ std::vector<std::string> Controller::render_words(Loop& loop) const {
   std::vector<std::string> words = {"render", settings_.source.path};
   words.insert(words.end(), services_.options.begin(), services_.options.end());
   for (const std::string& edit : history_.now()) words.insert(words.end(), {"--set", edit});
+  if (const auto edit = camera_edit(loop)) words.insert(words.end(), {"--set", *edit});
+  for (const scene::LightGroup& group : loop.scene().light_groups(view))
+    words.insert(words.end(), {"--light-group",
+                               fmt::format("{}={}", group.name, fmt::join(group.patterns, ","))});
   if (!view.camera.empty()) words.insert(words.end(), {"--camera", view.camera});
   if (view.size)
     words.insert(words.end(), {"--size", fmt::format("{}x{}", (*view.size)[0], (*view.size)[1])});
@@ -125,10 +166,7 @@ std::vector<std::string> Controller::render_words(Loop& loop) const {
 json Controller::command(Loop& loop, const json&) {
   std::string text = "oriel";
   for (const std::string& word : render_words(loop)) text += " " + quoted_word(word);
-  json reply = {{"text", text}};
-  if (loop.view().look)
-    reply["note"] = "the camera of the view is not stored in the scene; store it first";
-  return reply;
+  return {{"text", text}};
 }
 
 std::uint64_t Controller::keep_result(std::string bytes, std::string type) {
@@ -183,24 +221,9 @@ json Controller::job(Loop& loop, const json& request) {
     if (!is_plain_name(file) || (suffix != ".exr" && suffix != ".png"))
       throw RequestError("outside", "the file name is not a plain name with .exr or .png");
     const std::string path = scene_folder() + "/" + file;
-    std::vector<std::string> words = render_words(loop);
+    std::vector<std::string> words = job_words(render_words(loop), request);
     words.insert(words.begin(), services_.program);
     words.insert(words.end(), {"--json", "-o", path});
-    const auto option = [&](const char* name, const std::string& value) {
-      std::erase_if(words, [&, drop = false](const std::string& word) mutable {
-        const bool here = drop || word == name;
-        drop = word == name;
-        return here;
-      });
-      words.insert(words.end(), {name, value});
-    };
-    if (const auto n = optional_number(request, "samples"))
-      option("--samples", std::to_string(static_cast<long>(*n)));
-    if (const auto n = optional_number(request, "noise")) option("--noise", fmt::format("{}", *n));
-    if (const auto n = optional_number(request, "seconds")) option("--time", fmt::format("{}", *n));
-    if (const std::string camera = optional_text(request, "camera"); !camera.empty())
-      option("--camera", camera);
-    if (request.contains("denoise") && request["denoise"] == true) words.emplace_back("--denoise");
     job_.reset();
     job_ = std::make_unique<RenderJob>(words, path + ".checkpoint", file,
                                        [this](const json& message) { send(message); });

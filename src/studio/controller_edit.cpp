@@ -11,6 +11,7 @@
 #include "interactive/sun_edits.h"
 #include "output/camera_output.h"
 #include "scene/asset_path.h"
+#include "scene/hierarchy.h"
 #include "studio/controller.h"
 #include "studio/json_values.h"
 #include "studio/request_checks.h"
@@ -84,24 +85,33 @@ json Controller::redo(Loop& loop, const json&) {
   return edited(loop);
 }
 
-json Controller::store_camera(Loop& loop, const json&) {
-  interactive::ViewSettings view = loop.view();
+std::optional<std::string> Controller::camera_edit(Loop& loop) const {
+  const interactive::ViewSettings& view = loop.view();
+  if (!view.look) return std::nullopt;
+  const scene::Scene& scene = loop.scene().scene();
   const std::string name = view.camera.empty() ? loop.scene().command().camera : view.camera;
-  const auto* instance = loop.scene().scene().get<scene::Instance>(name);
+  const auto* instance = scene.get<scene::Instance>(name);
   if (!instance) throw RequestError("not-found", "the camera has no instance");
-  if (!view.look) throw RequestError("bad-request", "the scene's camera is shown already");
   const Mat4 to_camera = *interactive::camera_matrix(*view.look);
   // Instances may be below others: the matrix of those stays.
+  Diagnostics known;
+  Mat4 transform = to_camera;
+  for (const scene::Leaf& leaf : scene::flatten(scene, loop.scene().command().root, known,
+                                                {.leaves = scene.budgets[Budget::Instances]}))
+    if (leaf.kind == scene::LeafKind::Camera && &leaf.instance() == instance &&
+        leaf.chain.size() > 1)
+      transform = (leaf.world_to_local * instance->transform.value_or(Mat4()).inverse()).inverse() *
+                  to_camera;
+  return name + ".transform=" + numbers_text(transform);
+}
+
+json Controller::store_camera(Loop& loop, const json&) {
+  const std::optional<std::string> edit = camera_edit(loop);
+  if (!edit) throw RequestError("bad-request", "the scene's camera is shown already");
+  interactive::ViewSettings view = loop.view();
   view.look.reset();
   loop.set_view(view);
-  if (!loop.prepare()) throw RequestError("failed", "the scene cannot be rendered");
-  const Mat4 own = instance->transform.value_or(Mat4());
-  const Mat4 parent_to_world = (loop.scene().world()->camera.to_camera * own.inverse()).inverse();
-  const bool is_top = parent_to_world.equalWithAbsError(Mat4(), 1e-5f);
-  const Mat4 transform = is_top ? to_camera : parent_to_world * to_camera;
-  std::vector<std::string> edits = interactive::with_edit(
-      loop.scene().scene(), history_.now(), name + ".transform=" + numbers_text(transform));
-  return try_edits(loop, std::move(edits), {});
+  return try_edits(loop, interactive::with_edit(loop.scene().scene(), history_.now(), *edit), {});
 }
 
 json Controller::daylight(Loop& loop, const json& request) {

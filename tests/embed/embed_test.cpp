@@ -167,6 +167,76 @@ TEST_F(Embed, ProgramsWithOlderStructuresWork) {
   EXPECT_EQ(old.status.size, offsetof(OrielStatus, samples));
 }
 
+TEST_F(Embed, ModelsAreConvertedByTheProgram) {
+  write("model.mtl", "newmtl paint\nKd .5 .5 .5\n");
+  write("model.obj",
+        "mtllib model.mtl\nv -1 0 -1\nv 1 0 -1\nv 1 1 1\nv -1 1 1\nusemtl paint\nf 1 4 3 2\n");
+  OrielSettings settings;
+  oriel_init_settings(&settings);
+  settings.program = "/no/such/program";
+  EXPECT_NE(oriel_session_open(file("model.obj").c_str(), &settings, &session_), ORIEL_OK);
+  EXPECT_STRNE(oriel_last_error(), "");
+  settings.program = ORIEL_PROGRAM;
+  ASSERT_EQ(oriel_session_open(file("model.obj").c_str(), &settings, &session_), ORIEL_OK)
+      << oriel_last_error();
+  OrielView view;
+  oriel_init_view(&view);
+  view.width = 24, view.height = 16, view.samples = 4;
+  std::uint32_t epoch = 0;
+  ASSERT_EQ(oriel_session_set_view(session_, &view, &epoch), ORIEL_OK);
+  ASSERT_EQ(oriel_session_start(session_), ORIEL_OK);
+  const auto redness = [&](const char* edit) {
+    EXPECT_EQ(oriel_session_edit(session_, edit, &epoch), ORIEL_OK) << oriel_last_error();
+    EXPECT_EQ(oriel_session_wait(session_, epoch, UINT32_MAX, 60), ORIEL_OK) << oriel_last_error();
+    const std::vector<float> pixels = saved();
+    const std::size_t channels = pixels.size() / (24 * 16);
+    float red = 0, blue = 0;
+    for (std::size_t i = 0; i < pixels.size(); i += channels)
+      red += pixels[i], blue += pixels[i + 2];
+    EXPECT_GT(red, 0);
+    return red / blue;
+  };
+  const float blue = redness("paint.diffuse=.1 .1 .9"), red = redness("paint.diffuse=.9 .1 .1");
+  EXPECT_GT(red, 1.1f * blue) << "the model is a part of the picture, in daylight";
+}
+
+TEST_F(Embed, ShadersOfTrustedFoldersAreLoaded) {
+  write("tint.c", R"(#include <shader.h>
+struct tint { miColor color; };
+DLLEXPORT int tint_version(void) { return 1; }
+DLLEXPORT miBoolean tint(miColor* result, miState* state, struct tint* paras) {
+  *result = *mi_eval_color(&paras->color);
+  result->r *= .5f;
+  return miTRUE;
+}
+)");
+  std::filesystem::create_directories(file("lib"));
+  ASSERT_EQ(run({"shader-build", "tint.c", "-o", "lib/tint.so"}).exit_code, 0);
+  std::string scene = kScene;
+  scene.insert(
+      0,
+      "link \"tint.so\"\ndeclare shader color \"tint\" ( color \"color\" ) version 1 apply "
+      "texture end declare\nshader \"own\" \"tint\" ( \"color\" .8 .4 .2 )\n");
+  write("scene.mi", scene);
+  const std::string folder = file("lib");
+  const char* const folders[] = {folder.c_str()};
+  OrielSettings settings;
+  oriel_init_settings(&settings);
+  settings.shader_folders = folders;
+  settings.shader_folder_count = 1;
+  ASSERT_EQ(oriel_session_open(file("scene.mi").c_str(), &settings, &session_), ORIEL_OK)
+      << oriel_last_error();
+  view(8);
+  ASSERT_EQ(oriel_session_start(session_), ORIEL_OK);
+  const char* edit = "grey.diffuse==own";
+  std::uint32_t epoch = 0;
+  ASSERT_EQ(oriel_session_edit(session_, edit, &epoch), ORIEL_OK) << oriel_last_error();
+  ASSERT_EQ(oriel_session_wait(session_, epoch, UINT32_MAX, 60), ORIEL_OK) << oriel_last_error();
+  const std::vector<float> trusted = saved();
+  EXPECT_EQ(trusted, rendered({"--set", edit, "--shader-path", "lib"}));
+  EXPECT_NE(trusted, rendered({"--set", edit})) << "the library is of no use without its folder";
+}
+
 TEST_F(Embed, TheExampleRuns) {
   const std::string command = std::string(ORIEL_EMBED_EXAMPLE) + " " + file("scene.mi") +
                               " 'grey.diffuse=.9 .1 .1' " + file("out.exr") + " > " +

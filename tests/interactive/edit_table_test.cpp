@@ -95,17 +95,17 @@ TEST_P(EditTable, EffectsAreThoseOfTheTable) {
 INSTANTIATE_TEST_SUITE_P(
     All, EditTable,
     ::testing::Values(
-        EditCase{"Colour", "floor_mtl.diffuse=.1 .6 .2", kEffectMaterials},
-        EditCase{"Gloss", "floor_mtl.refl_gloss=.4", kEffectMaterials},
-        EditCase{"Emission", "box_mtl.ambience=1 1 1", kEffectMaterials, false},
-        EditCase{"CutOut", "floor_mtl.cutout_opacity=.5", kEffectMaterials},
-        EditCase{"NamedShader", "paint.diffuse=.1 .1 .9", kEffectMaterials},
-        EditCase{"SharedShader", "tone.temperature=2000", kEffectMaterials},
-        EditCase{"DottedName", "coat.001.diffuse=.1 .9 .1", kEffectMaterials},
-        EditCase{"Glow", "floor_mtl.additional_color=.3 .2 .1", kEffectMaterials},
-        EditCase{"Glass", "paint.transparency=.7", kEffectMaterials},
-        EditCase{"LightColour", "lamp.color=1 40 3", kEffectWorld},
-        EditCase{"LightOrigin", "lamp.origin=1 0 2", kEffectWorld},
+        EditCase{"Colour", "floor_mtl.diffuse=.1 .6 .2", kEffectElements},
+        EditCase{"Gloss", "floor_mtl.refl_gloss=.4", kEffectElements},
+        EditCase{"Emission", "box_mtl.ambience=1 1 1", kEffectElements, false},
+        EditCase{"CutOut", "floor_mtl.cutout_opacity=.5", kEffectElements},
+        EditCase{"NamedShader", "paint.diffuse=.1 .1 .9", kEffectElements},
+        EditCase{"SharedShader", "tone.temperature=2000", kEffectElements},
+        EditCase{"DottedName", "coat.001.diffuse=.1 .9 .1", kEffectElements},
+        EditCase{"Glow", "floor_mtl.additional_color=.3 .2 .1", kEffectElements},
+        EditCase{"Glass", "paint.transparency=.7", kEffectElements},
+        EditCase{"LightColour", "lamp.color=1 40 3", kEffectElements},
+        EditCase{"LightOrigin", "lamp.origin=1 0 2", kEffectElements},
         EditCase{"Focal", "cam.focal=50", kEffectCamera},
         EditCase{"Resolution", "cam.resolution=32 32", kEffectCamera},
         EditCase{"CameraTransform",
@@ -113,15 +113,15 @@ INSTANTIATE_TEST_SUITE_P(
                  "-1.3416408 -4.9193496 1",
                  kEffectCamera},
         EditCase{"ObjectTransform", "wall_inst.transform=1 0 0 0 0 1 0 0 0 0 1 0 .5 0 0 1",
-                 kEffectWorld},
-        EditCase{"ObjectVisible", "wall_inst.visible=off", kEffectWorld},
+                 kEffectElements},
+        EditCase{"ObjectVisible", "wall_inst.visible=off", kEffectElements},
         EditCase{"Depth", "opt.trace depth=0 0 0", kEffectWorld},
         EditCase{"Shadow", "opt.shadow=off", kEffectWorld}),
     [](const auto& info) { return info.param.name; });
 
 class EditCosts : public EditTableScene {};
 
-TEST_F(EditCosts, ColoursOfOpaqueMaterialsPrepareNothingElse) {
+TEST_F(EditCosts, EditsOfElementsPrepareTheirDependentsOnly) {
   RenderLoop loop(source(), {}, {});
   loop.set_view(small_view());
   ASSERT_TRUE(loop.read());
@@ -135,9 +135,14 @@ TEST_F(EditCosts, ColoursOfOpaqueMaterialsPrepareNothingElse) {
   EXPECT_EQ(preparations_of("floor_mtl.diffuse=.1 .6 .2"), 0u);
   EXPECT_EQ(preparations_of("floor_mtl.refl_gloss=.4"), 0u);
   EXPECT_EQ(preparations_of("paint.diffuse=.1 .1 .9"), 0u);
-  EXPECT_EQ(preparations_of("tone.temperature=2000"), 1u) << "a light uses it";
-  EXPECT_EQ(preparations_of("floor_mtl.additional_color=.3 .2 .1"), 1u) << "it becomes a light";
-  EXPECT_EQ(preparations_of("paint.transparency=.7"), 1u) << "shadows pass it";
+  EXPECT_EQ(preparations_of("tone.temperature=2000"), 0u) << "a light and a material use it";
+  EXPECT_EQ(preparations_of("floor_mtl.additional_color=.3 .2 .1"), 0u) << "it becomes a light";
+  EXPECT_EQ(preparations_of("paint.transparency=.7"), 0u) << "shadows pass it";
+  EXPECT_EQ(preparations_of("lamp.color=1 40 3"), 0u);
+  EXPECT_EQ(preparations_of("lamp.origin=1 0 2"), 0u);
+  EXPECT_EQ(preparations_of("wall_inst.transform=1 0 0 0 0 1 0 0 0 0 1 0 .5 0 0 1"), 0u);
+  EXPECT_EQ(preparations_of("wall_inst.visible=off"), 0u);
+  EXPECT_EQ(preparations_of("opt.shadow=off"), 1u);
 }
 
 TEST_F(EditCosts, ColoursOfGlassPrepareNothingElse) {
@@ -160,6 +165,25 @@ TEST_F(EditCosts, ColoursOfGlassPrepareNothingElse) {
   finish(fresh);
   EXPECT_EQ(beauty(live), beauty(fresh));
   EXPECT_NE(beauty(live), clear);
+}
+
+TEST_F(EditCosts, TheLastOfTwoEditsOfOneParameterCounts) {
+  // Both name the same parameter: the material refers to the shader.
+  const vector<std::string> red = {"side_mtl.diffuse=.1 .9 .1", "paint.diffuse=.9 .1 .1"};
+  const vector<std::string> green = {red[1], red[0]};
+  RenderLoop live(source(), {}, {});
+  live.set_view(small_view());
+  ASSERT_TRUE(live.read());
+  for (const auto& edits : {red, green}) {
+    live.set_edits(edits);
+    finish(live);
+    RenderLoop fresh(source(), {}, {});
+    fresh.set_view(small_view());
+    ASSERT_TRUE(fresh.read());
+    fresh.set_edits(edits);
+    finish(fresh);
+    EXPECT_EQ(beauty(live), beauty(fresh));
+  }
 }
 
 TEST_F(EditCosts, ShadersThatAreBoundAgainDoNotPileUp) {

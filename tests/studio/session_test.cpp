@@ -252,7 +252,10 @@ TEST_F(StudioSessionTest, UnsavedEditsAreThereInTheNextSession) {
   auto socket = client();
   const json state = socket->wait_for("state");
   EXPECT_EQ(state["edits"], kEdits);
-  socket->ask({{"type", "undo"}});
+  // Each edit is a step of undo.
+  EXPECT_EQ(socket->ask({{"type", "undo"}})["undo"], kEdits.size() - 1);
+  while (socket->ask({{"type", "undo"}})["undo"] > 0) {
+  }
   stop(SIGTERM);
   serve();
   EXPECT_EQ(client()->wait_for("state")["edits"], json::array());
@@ -285,6 +288,71 @@ TEST_F(StudioSessionTest, FinalRendersPauseAndResume) {
   socket->ask({{"type", "job"}, {"action", "cancel"}});
   job_in("cancelled");
   EXPECT_FALSE(std::filesystem::exists(file("c.exr.checkpoint")));
+}
+
+// The final render has the look of the page, the requested size and the requested layers.
+TEST_F(StudioSessionTest, FinalRendersAreThatOfTheLook) {
+  serve();
+  auto socket = client();
+  const std::vector<double> from = {.5, .3, 1}, to = {0, -.5, -6}, up = {0, 1, 0};
+  json reply = socket->ask({{"type", "view"},
+                            {"look", {{"from", from}, {"to", to}, {"up", up}}},
+                            {"region", {2, 2, 9, 8}},
+                            {"budget", {{"samples", 8}}}});
+  ASSERT_EQ(reply["type"], "reply") << reply;
+  reply = socket->ask({{"type", "job"},
+                       {"action", "start"},
+                       {"file", "final.exr"},
+                       {"size", {24, 18}},
+                       {"layers", {"beauty", "denoised", "normal"}}});
+  ASSERT_EQ(reply["type"], "reply") << reply;
+  const json done =
+      socket->wait([&](const json& m) { return m["type"] == "job" && m["state"] != "running"; });
+  ASSERT_EQ(done["state"], "done") << done;
+  const Image made = read_image(file("final.exr"));
+  EXPECT_EQ(made.width, 24);
+  EXPECT_EQ(made.height, 18);
+  EXPECT_NE(text_of(file("final.exr")).find("normal.X"), std::string::npos);
+
+  // The same by a client that stores the look and renders the picture at that size.
+  socket->ask({{"type", "view"}, {"region", nullptr}, {"size", {24, 18}}});
+  reply = socket->ask({{"type", "store_camera"}});
+  ASSERT_EQ(reply["type"], "reply") << reply;
+  converged(*socket, reply["epoch"]);
+  EXPECT_EQ(delivered(*socket), made.pixels);
+}
+
+// The measurement takes up to a minute if nothing ends it.
+TEST_F(StudioSessionTest, LongMeasurementsAreCancelled) {
+  serve();
+  auto socket = client();
+  socket->ask({{"type", "outline"}});
+  socket->send({{"type", "lux_grid"},
+                {"id", 500},
+                {"origin", {-1, -.99, -4}},
+                {"u", {2, 0, 0}},
+                {"v", {0, 0, -2}},
+                {"columns", 90},
+                {"rows", 90},
+                {"precision", 1e-4},
+                {"seconds", 60}});
+  socket->send({{"type", "cancel"}, {"target", 500}});
+  const json answer =
+      socket->wait([](const json& m) { return m.contains("id") && m["id"] == 500; });
+  EXPECT_EQ(answer["code"], "cancelled") << answer["type"];
+}
+
+TEST_F(StudioSessionTest, PointersAreNoRequests) {
+  serve();
+  auto socket = client();
+  json reply = socket->ask({{"type", "view"}, {"budget", {{"samples", 4}}}});
+  socket->send({{"type", "pointer"}, {"x", 3}, {"y", 1e12}});
+  EXPECT_EQ(socket->wait_for("error")["code"], "bad-request");
+  socket->send({{"type", "pointer"}, {"x", 3}, {"y", 4}});
+  socket->send({{"type", "pointer"}, {"x", -300}, {"y", 4000}});
+  socket->send({{"type", "pointer"}});
+  converged(*socket, reply["epoch"]);
+  EXPECT_EQ(socket->ask({{"type", "view"}})["epoch"], reply["epoch"]) << "nothing was restarted";
 }
 
 TEST_F(StudioSessionTest, MissingTexturesAreRelinked) {

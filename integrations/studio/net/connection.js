@@ -112,7 +112,12 @@ export class Connection {
 
   /** @param {number} frame number of a frame that was uploaded */
   acknowledge(frame) {
-    if (this.#open) this.#post({type: "ack", frame});
+    this.tell({type: "ack", frame});
+  }
+
+  /** Sends a message that has no answer. @param {object} message */
+  tell(message) {
+    if (this.#open) this.#post(message);
   }
 
   /** @param {object} message */

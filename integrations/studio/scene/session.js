@@ -10,6 +10,8 @@ import {Latest, newGesture} from "./latest.js";
 /** @typedef {import("../net/types.js").Progress} Progress */
 /** @typedef {import("../net/types.js").Strip} Strip */
 
+const POINTER_MS = 150;  // between messages about the pointer
+
 /** @returns {SceneState} */
 function emptyState() {
   return {
@@ -39,6 +41,8 @@ export class Session extends Events {
   /** Number of the last frame that is on the screen. */ drawnFrame = 0;
   /** @type {Record<string, any>} */ #pendingView = {};
   #viewScheduled = false;
+  /** @type {[number, number] | null} */ #pointer = null;
+  #pointerTimer = 0;
   #edits = new Latest((texts, gesture) => this.#reporting("edit", {edits: texts, gesture}));
   #daylight = new Latest(([fields], gesture) => this.#reporting("daylight", {...fields, gesture}));
 
@@ -118,6 +122,20 @@ export class Session extends Events {
       this.#pendingView = {};
       if (this.connection.isOpen) void this.attempt("view", pending);
     });
+  }
+
+  /**
+   * Tells the renderer near which pixel it should refine first.
+   * @param {[number, number] | null} pixel of the full-size picture; null: none
+   */
+  pointer(pixel) {
+    this.#pointer = pixel;
+    if (this.#pointerTimer) return;
+    this.#pointerTimer = window.setTimeout(() => {
+      this.#pointerTimer = 0;
+      const p = this.#pointer;
+      this.connection.tell(p ? {type: "pointer", x: Math.floor(p[0]), y: Math.floor(p[1])} : {type: "pointer"});
+    }, POINTER_MS);
   }
 
   async loadOutline() {

@@ -30,7 +30,11 @@ export function createBanner(app) {
       return;
     }
     const edits = crash.edits === 1 ? "1 edit is kept" : `${crash.edits} edits are kept`;
-    show(`The renderer ended: ${crash.message} ${edits}.`, button("Restart from saved edits", () => void app.session.attempt("restart"), {class: "primary"}));
+    const restart = button("Restart from saved edits", () => void app.session.attempt("restart"), {class: "primary"});
+    const without = button("Undo the last edit and restart", async () => {
+      if (await app.session.attempt("undo")) await app.session.attempt("restart");
+    });
+    show(`The renderer ended unexpectedly (${crash.message || "no reason is known"}). ${edits}.`, restart, ...(crash.edits > 0 ? [without] : []));
   });
   return banner;
 }

@@ -30,7 +30,9 @@ export class ViewportInput {
     canvas.addEventListener("pointermove", (event) => {
       const [x, y] = viewport.pixelAt(event);
       actions.hover(x, y);
+      this.session.pointer([x, y]);
     });
+    canvas.addEventListener("pointerleave", () => this.session.pointer(null));
     canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
       if (event.ctrlKey) return this.#zoom(event.deltaY < 0 ? 1.25 : 0.8);

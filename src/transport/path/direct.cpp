@@ -198,7 +198,8 @@ Rgb light_of(const World& world, ShadingPoint& point, const Closure& closure, in
   if (!(world.light_sampler->expected_samples(at, light) > 0)) return Rgb(0);
   const DirectRequest request{
       .rays_bend = rays_bend, .for_the_eye = rays_bend, .unblocked_only = true};
-  DirectSum direct(world, point, closure, {}, at, request, counts, nullptr);
+  const LobeChoice lobes;
+  DirectSum direct(world, point, closure, lobes, at, request, counts, nullptr);
   direct.add_light({light, 1}, u);
   const DirectLight& sum = direct.sum();
   return sum.diffuse + sum.translucency + sum.specular + sum.reflection + sum.refraction;

@@ -3,7 +3,7 @@
 // ORIEL_STUDIO_SHOTS=FOLDER writes screenshots, ORIEL_STUDIO_SCENE=interior uses the scene of the README.
 import assert from "node:assert/strict";
 import {spawn, spawnSync} from "node:child_process";
-import {cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync} from "node:fs";
+import {cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {createInterface} from "node:readline";
@@ -27,8 +27,8 @@ function reasonToSkip() {
 }
 
 /** Starts the program; resolves with address and token of the line that it prints. */
-async function startProgram(scene) {
-  const child = spawn(ORIEL, ["studio", scene, "--page", join(ROOT, "integrations/studio")], {stdio: ["ignore", "pipe", "pipe"]});
+async function startProgram(scene, ...options) {
+  const child = spawn(ORIEL, ["studio", scene, "--page", join(ROOT, "integrations/studio"), ...options], {stdio: ["ignore", "pipe", "pipe"]});
   let log = "";
   child.stderr.on("data", (text) => { log += text; });
   const line = await new Promise((resolve, reject) => {
@@ -129,6 +129,13 @@ test("open, edit, move the sun, measure, relight, save, open again: the same pic
     assert.ok(values.every((v) => v >= 0) && values.some((v) => v > 0), String(values));
     await shot(page, "grid");
 
+    // Numbers of a former scene are marked, those of the present one are not.
+    assert.equal(await page.$eval(".lux", (table) => table.closest(".stale") !== null), false);
+    await page.evaluate((name) => window.__studio.app.session.edit(`${name}.diffuse_weight=0.5`), SCENE.material);
+    await page.waitForFunction(() => document.querySelector(".lux").closest(".stale") !== null, {timeout: 30000});
+    await page.click("button[title^=Undo]");
+    await page.waitForFunction(() => document.querySelector(".lux").closest(".stale") === null, {timeout: 30000});
+
     // Relight in the page: the layers sum to the beauty, sliders do not restart the render.
     await page.keyboard.press("1");
     await page.click("#tab-lights");
@@ -197,25 +204,64 @@ test("open, edit, move the sun, measure, relight, save, open again: the same pic
   }
 });
 
+/** A texture shader that ends the renderer if `how` is 2. */
+const FAILING_SHADER = `#include <shader.h>
+#include <signal.h>
+#include <unistd.h>
+struct fails { miInteger how; miColor tint; };
+DLLEXPORT int fails_version(void) { return 1; }
+DLLEXPORT miBoolean fails(miColor* result, miState* state, struct fails* paras) {
+  if (*mi_eval_integer(&paras->how) == 2) kill(getpid(), SIGKILL);
+  *result = *mi_eval_color(&paras->tint);
+  return miTRUE;
+}
+`;
+
 // acceptance: W6
-test("the renderer ends by a signal: the page shows it and continues with all edits", {skip: reasonToSkip(), timeout: 600000}, async () => {
-  const folder = mkdtempSync(join(tmpdir(), "oriel-studio-"));
+test("the renderer ends by a signal or by a shader: the page shows it and continues with all edits", {skip: reasonToSkip(), timeout: 600000}, async () => {
+  const folder = mkdtempSync(join(tmpdir(), "oriel-studio-")), {file, gloss} = SCENES.room;
   cpSync(join(ROOT, SCENES.room.folder), folder, {recursive: true});
+  writeFileSync(join(folder, "fails.c"), FAILING_SHADER);
+  const built = spawnSync(ORIEL, ["shader-build", "fails.c", "-o", "fails.so"], {cwd: folder, encoding: "utf8"});
+  assert.equal(built.status, 0, built.stderr);
+  const declaration = 'link "fails.so"\ndeclare shader color "fails" (integer "how", color "tint") version 1 apply texture end declare\nshader "own" "fails" ("how" 0, "tint" .3 .6 .2)\n';
+  const text = readFileSync(join(folder, file), "utf8"), at = text.indexOf("options ");
+  assert.ok(at >= 0);
+  writeFileSync(join(folder, file), text.slice(0, at) + declaration + text.slice(at));
   const browser = await openBrowser();
   let program = null;
   try {
-    program = await startProgram(join(folder, SCENES.room.file));
+    program = await startProgram(join(folder, file), "--shader-path", folder);
     const {page} = await open(browser, program);
-    await page.evaluate((text) => window.__studio.app.session.edit(text), SCENES.room.gloss);
+    const banner = (text) => page.waitForFunction((t) => { const b = document.querySelector(".banner"); return !b.hidden && b.textContent.includes(t); }, {timeout: 60000}, text);
+    const continues = async (...expected) => {
+      await page.waitForFunction(() => document.querySelector(".banner").hidden, {timeout: 60000});
+      await page.waitForFunction((list) => JSON.stringify(window.__studio.app.session.state.edits) === list, {timeout: 60000}, JSON.stringify(expected));
+      await page.waitForFunction(() => window.__studio.app.session.progress?.status !== "crashed" && window.__studio.samples >= 1, {timeout: 60000});
+      assert.ok(new Set((await readCanvas(page)).pixels).size > 40);
+    };
+    await page.evaluate((text) => window.__studio.app.session.edit(text), gloss);
     await page.waitForFunction(() => window.__studio.app.session.state.edits.length === 1, {timeout: 30000});
     const renderer = readFileSync(`/proc/${program.pid}/task/${program.pid}/children`, "utf8").trim().split(" ").map(Number)[0];
     process.kill(renderer, "SIGSEGV");
-    await page.waitForFunction(() => document.querySelector(".banner")?.textContent.includes("1 edit is kept"), {timeout: 60000});
+    await banner("1 edit is kept");
+    assert.match(await page.$eval(".banner", (b) => b.textContent), /signal 11/);
     await pressButton(page, ".banner", "Restart from saved edits");
-    await page.waitForFunction(() => document.querySelector(".banner").hidden, {timeout: 60000});
-    await page.waitForFunction((text) => window.__studio.app.session.state.edits.includes(text), {timeout: 60000}, SCENES.room.gloss);
-    await page.waitForFunction(() => window.__studio.samples >= 1 && window.__studio.epoch >= 0, {timeout: 60000});
-    assert.ok(new Set((await readCanvas(page)).pixels).size > 40);
+    await continues(gloss);
+
+    // The user's shader is connected; a number in its panel ends the renderer.
+    await page.evaluate(() => window.__studio.app.session.edit("oak.diffuse==own"));
+    await page.waitForFunction(() => window.__studio.app.session.state.edits.length === 2, {timeout: 30000});
+    await page.evaluate(() => window.__studio.app.select("own"));
+    await page.waitForFunction(() => document.querySelector("#panel-edit h2").textContent === "own" && document.querySelector(".element-body .field"), {timeout: 30000});
+    const input = await (await page.evaluateHandle(() => [...document.querySelectorAll(".element-body .field")].find((f) => f.querySelector("label")?.textContent === "how"))).$("input[type=number]");
+    await input.click({clickCount: 3});
+    await input.type("2\n");
+    await banner("3 edits are kept");
+    assert.match(await page.$eval(".banner", (b) => b.textContent), /signal 9/);
+    await shot(page, "crashed");
+    await pressButton(page, ".banner", "Undo the last edit and restart");
+    await continues(gloss, "oak.diffuse==own");
   } finally {
     await browser.close();
     await program?.stop();

@@ -31,7 +31,7 @@ function withStudio(name, body, options = {}) {
 
 const sent = (mock, type) => mock.requests.filter((m) => m.type === type);
 const until = async (condition, what) => {
-  for (let i = 0; i < 200; ++i) {
+  for (let i = 0; i < 800; ++i) {
     if (condition()) return;
     await new Promise((resolve) => setTimeout(resolve, 25));
   }
@@ -277,6 +277,9 @@ withStudio("a region is dragged and removed; the camera orbits by drag and by ke
   await page.mouse.move(box.x + box.width * 0.6, box.y + box.height * 0.55, {steps: 4});
   await page.mouse.up();
   await until(() => mock.view.region !== null, "region");
+  await until(() => sent(mock, "pointer").some((m) => m.x > 80 && m.y > 40), "place of the pointer");
+  await page.mouse.move(box.x - 20, box.y + 5);
+  await until(() => sent(mock, "pointer").some((m) => m.x === undefined), "the pointer leaves");
   assert.ok(mock.view.region[2] > mock.view.region[0] && mock.view.region[3] > mock.view.region[1]);
   await page.keyboard.press("Escape");
   await until(() => mock.view.region === null, "no region");

@@ -15,7 +15,7 @@ import {between, hourList, hourText, isoTime} from "../../../integrations/studio
 import {connectText, editTarget, editText, withoutTarget} from "../../../integrations/studio/scene/edit_text.js";
 import {Latest} from "../../../integrations/studio/scene/latest.js";
 import {LightMix, mixDown} from "../../../integrations/studio/scene/light_mix.js";
-import {gridOnSurface} from "../../../integrations/studio/scene/lux_grid.js";
+import {gridAbove, gridOnSurface, verticalAxis} from "../../../integrations/studio/scene/lux_grid.js";
 import {lightEdits} from "../../../integrations/studio/scene/write_light.js";
 import {crc32, zipStored} from "../../../integrations/studio/scene/zip.js";
 
@@ -126,6 +126,20 @@ test("grids lie on the surface around the picked point", () => {
   assert.deepEqual([g.columns, g.rows], [3, 5]);
   const wall = gridOnSurface({position: [0, 0, 1], normal: [1, 0, 0]}, 1, 1, 2, 2);
   close(wall.u[2], 0);  // the first edge is horizontal
+  const wallOfY = gridOnSurface({position: [0, 1, 0], normal: [1, 0, 0]}, 1, 1, 2, 2, [0, 1, 0]);
+  close(wallOfY.u[1], 0);
+});
+
+test("a grid above a point is horizontal, also where y is up", () => {
+  for (const up of [[0, 0, 1], [0, 1, 0]]) {
+    assert.deepEqual(verticalAxis(up), up);
+    const g = gridAbove({position: [1, 2, 3]}, 0.85, 2, 4, 3, 5, up);
+    const centre = [0, 1, 2].map((k) => g.origin[k] + g.u[k] / 2 + g.v[k] / 2);
+    [0, 1, 2].forEach((k) => close(centre[k], [1, 2, 3][k] + 0.85 * up[k]));
+    assert.deepEqual(g.normal, up);
+    close(dot(g.u, up), 0);
+    close(dot(g.v, up), 0);
+  }
 });
 
 test("ZIP files open in another program", () => {
