@@ -96,6 +96,45 @@ void require_same_session(Ranks& ranks, const RenderArguments& arguments,
   }
 }
 
+namespace {
+
+/// The ranks as processes that share the work of maps.
+class RankShare final : public WorkShare {
+ public:
+  explicit RankShare(Ranks& ranks) : ranks_(ranks) {}
+
+  bool leads() const override { return ranks_.leads(); }
+  bool owns(std::size_t i) const override {
+    return i % static_cast<std::size_t>(ranks_.count()) == static_cast<std::size_t>(ranks_.rank());
+  }
+  std::string from_leader(std::string bytes) override {
+    return ranks_.from_leader(std::move(bytes));
+  }
+  std::vector<std::string> exchange(const std::string& own) override {
+    // The last byte: whether the rank was interrupted, which ends the work in all of them.
+    const std::vector<std::string> all = ranks_.to_leader(own + (interrupted() ? '1' : '0'));
+    ByteWriter out;
+    for (const std::string& bytes : all) out.list(std::vector<char>(bytes.begin(), bytes.end()));
+    const std::string joined = ranks_.from_leader(out.take());
+    std::vector<std::string> result;
+    bool ends = false;
+    for (ByteReader in(joined); !in.rest().empty();) {
+      std::vector<char> bytes;
+      in.list(bytes);
+      ends |= bytes.empty() || bytes.back() == '1';
+      result.emplace_back(bytes.begin(), bytes.empty() ? bytes.end() : bytes.end() - 1);
+    }
+    if (!ends) return result;
+    interrupted() = true;
+    return {};
+  }
+
+ private:
+  Ranks& ranks_;
+};
+
+}  // namespace
+
 TileLeader::TileLeader(Ranks& ranks, RenderSession& session, int picture)
     : ranks_(ranks),
       session_(session),
@@ -111,7 +150,11 @@ bool share_maps(Ranks& ranks, RenderSession& session, const Progressive::Callbac
   if (ranks.leads()) {
     const bool done = [&] {
       const UsefulWork work(&ranks);
-      return session.can_save() || session.prepare(callbacks, cancel);
+      const bool saved = session.can_save();
+      ranks.from_leader(std::string(saved ? "saved" : "maps"));
+      if (saved) return true;
+      RankShare share(ranks);
+      return session.prepare(callbacks, cancel, &share);
     }();
     if (!ranks.from_leader(done)) return false;
     CheckpointWriter out(file, {});
@@ -119,6 +162,11 @@ bool share_maps(Ranks& ranks, RenderSession& session, const Progressive::Callbac
     out.commit();
     ranks.from_leader(file_text(file));
     return true;
+  }
+  if (ranks.from_leader(std::string()) == "maps") {
+    const UsefulWork work(&ranks);
+    RankShare share(ranks);
+    session.help_prepare(share, &interrupted());
   }
   if (!ranks.from_leader(false)) return false;
   const std::string bytes = ranks.from_leader(std::string());

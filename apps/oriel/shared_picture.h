@@ -18,8 +18,9 @@ struct RenderArguments;
 void require_same_session(Ranks& ranks, const RenderArguments& arguments,
                           const RenderSession& session);
 
-/// Computes what the session needs before the picture in rank 0, unless a checkpoint contained it,
-/// and copies it to the other ranks. Returns false if cancelled.
+/// Computes what the session needs before the picture, unless a checkpoint contained it. Final
+/// gather points are divided among the ranks; all else is computed by rank 0 and copied to the
+/// others. Returns false if cancelled.
 bool share_maps(Ranks& ranks, RenderSession& session, const Progressive::Callbacks& callbacks,
                 const std::atomic<bool>* cancel);
 

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
+#include "base/byte_stream.h"
 #include "render/cache_state.h"
 #include "render/learn_light.h"
 #include "transport/gather/gather_map.h"
@@ -159,6 +161,7 @@ void CachedIntegrator::prepare(const IntegratorPreparation& p) {
   if (plan_.global || plan_.caustic) trace_photon_maps(p);
   if (plan_.gather) gather(p);
   if (plan_.bounces) cache_bounces(gather_passes(p.seed), p);
+  if (p.share && !std::exchange(helped_, true)) p.share->from_leader({});
   find_lit_surfaces(p);
   learn(p);
   if (!caches_only() && !p.monitor.cancelled())
@@ -285,26 +288,53 @@ void CachedIntegrator::gather(const IntegratorPreparation& p) {
   use_gather_points(passes);
   if (options.rebuild == Rebuild::Freeze && !p.files.gather.empty()) return;
   const std::size_t before = cache_.records().size();
-  gather_for_picture(world_, p.window, passes, cache_, p.counts, p.monitor, p.after_pass);
+  if (p.share) start_helpers(p);
+  gather_for_picture(world_, p.window, passes, cache_, p.counts, p.monitor, p.after_pass, p.share);
   const bool changed = cache_.records().size() > before || options.rebuild == Rebuild::On;
   if (!p.files.gather.empty() && !p.files.read_only && changed && !p.monitor.cancelled())
     save_gather_map(cache_.records(), p.files.gather.front(), p.diagnostics);
 }
 
-void CachedIntegrator::save(CheckpointWriter& out) {
+/// Sends what the other processes need to gather the points of the picture.
+void CachedIntegrator::start_helpers(const IntegratorPreparation& p) {
+  ByteWriter state;
+  save_maps(state);
+  p.share->from_leader(state.take());
+  helped_ = true;
+}
+
+void CachedIntegrator::help(const IntegratorPreparation& p) {
+  const std::string state = p.share->from_leader({});
+  if (state.empty()) return;
+  ByteReader in(state);
+  restore_maps(in, p);
+  GatherPasses passes = gather_passes(p.seed);
+  IndirectCaches behind = maps_;
+  behind.gather = nullptr;
+  if (plan_.global || plan_.caustic || maps_.bounces) passes.records.path.maps = &behind;
+  gather_for_picture(world_, p.window, passes, cache_, p.counts, p.monitor, p.after_pass, p.share);
+}
+
+template <class Out>
+void CachedIntegrator::save_maps(Out& out) {
   out.value(static_cast<std::uint8_t>(read_files_));
   photons_.global.visit_state(out);
   photons_.caustic.visit_state(out);
   save_cache(out, bounces_.cache);
   out.value(static_cast<std::int32_t>(bounces_.held));
   save_cache(out, cache_);
+}
+
+void CachedIntegrator::save(CheckpointWriter& out) {
+  save_maps(out);
   lit_.save(out);
   learned_.visit_state(out);
   out.value(static_cast<std::uint8_t>(grid_.has_value()));
   if (grid_) grid_->save(out, world_);
 }
 
-void CachedIntegrator::restore(CheckpointReader& in, const IntegratorPreparation& p) {
+template <class In>
+void CachedIntegrator::restore_maps(In& in, const IntegratorPreparation& p) {
   std::uint8_t read_files = 0;
   in.value(read_files);
   read_files_ = read_files != 0;
@@ -332,6 +362,10 @@ void CachedIntegrator::restore(CheckpointReader& in, const IntegratorPreparation
     bounces_.query = bounces_query(world_);
     if (paths_.diffuse_bounces > 0) use_bounces();
   }
+}
+
+void CachedIntegrator::restore(CheckpointReader& in, const IntegratorPreparation& p) {
+  restore_maps(in, p);
   lit_.restore(in, world_);
   learned_.visit_state(in);
   if (!learned_.is_valid(world_)) throw CheckpointError("its learned light is invalid");

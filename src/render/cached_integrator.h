@@ -37,6 +37,7 @@ class CachedIntegrator final : public Integrator {
   explicit CachedIntegrator(const World& world);
 
   void prepare(const IntegratorPreparation& p) override;
+  void help(const IntegratorPreparation& p) override;
   void save(CheckpointWriter& out) override;
   void restore(CheckpointReader& in, const IntegratorPreparation& p) override;
   void trace(const Camera::Ray& eye, Vec2 raster, float paths_of_pixel, PathRecord& record,
@@ -49,6 +50,11 @@ class CachedIntegrator final : public Integrator {
   bool has_unknown_light() const override { return read_files_ || reads_grid(); }
 
  private:
+  template <class Out>
+  void save_maps(Out& out);
+  template <class In>
+  void restore_maps(In& in, const IntegratorPreparation& p);
+  void start_helpers(const IntegratorPreparation& p);
   void find_lit_surfaces(const IntegratorPreparation& p);
   void learn(const IntegratorPreparation& p);
   void trace_sharp_caustics(const IntegratorPreparation& p);
@@ -76,6 +82,7 @@ class CachedIntegrator final : public Integrator {
   LearnedLight learned_;
   bool read_files_ = false;
   bool prepared_ = true;
+  bool helped_ = false;  ///< other processes were started, or told that there is nothing to do
 };
 
 }  // namespace oriel

@@ -20,6 +20,7 @@
 #include "transport/counts.h"
 #include "transport/path/path_record.h"
 #include "transport/progress_monitor.h"
+#include "transport/work_share.h"
 
 namespace oriel {
 
@@ -43,6 +44,9 @@ struct IntegratorPreparation {
   const ProgressMonitor& monitor;
   std::function<void()> after_pass;  ///< called when trace() finds more light than before
   RayCounts& counts;
+  /// Processes that prepare the same picture. The leader calls Integrator::prepare(), the others
+  /// Integrator::help(). Null: this process alone.
+  WorkShare* share = nullptr;
 };
 
 /// Computes the light along camera rays.
@@ -57,6 +61,8 @@ class Integrator {
   virtual ~Integrator() = default;
 
   virtual void prepare(const IntegratorPreparation&) {}
+  /// Computes a share of prepare() of the leading process. restore() has to follow.
+  virtual void help(const IntegratorPreparation&) {}
   /// Traces one camera ray and records its light.
   /// Inputs:  raster: where the sample is on the picture; paths_of_pixel: the number of paths that
   ///          the pixel gets in all; record: empty, as after reset().

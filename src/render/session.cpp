@@ -184,7 +184,7 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
 }
 
 void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
-                                 const std::atomic<bool>* cancel) {
+                                 const std::atomic<bool>* cancel, WorkShare* share) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
@@ -213,7 +213,9 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
     clear_film();
     shown = seconds();
   };
-  integrator_->prepare(preparation(monitor, after_pass));
+  IntegratorPreparation p = preparation(monitor, after_pass);
+  p.share = share;
+  integrator_->prepare(p);
 }
 
 IntegratorPreparation RenderSession::preparation(const ProgressMonitor& monitor,
@@ -314,11 +316,18 @@ void RenderSession::restore(CheckpointReader& in) {
 }
 
 bool RenderSession::prepare(const Progressive::Callbacks& callbacks,
-                            const std::atomic<bool>* cancel) {
-  prepare_maps({callbacks.progress, {}, {}, {}}, cancel);
+                            const std::atomic<bool>* cancel, WorkShare* share) {
+  prepare_maps({callbacks.progress, {}, {}, {}}, cancel, share);
   prepared_ = state_is_whole_ = !(cancel && *cancel);
   if (prepared_ && started_) progressive_.begin_at(*started_);
   return prepared_;
+}
+
+void RenderSession::help_prepare(WorkShare& share, const std::atomic<bool>* cancel) {
+  const ProgressMonitor monitor{cancel, {}};
+  IntegratorPreparation p = preparation(monitor, [] {});
+  p.share = &share;
+  integrator_->help(p);
 }
 
 void RenderSession::save_maps(CheckpointWriter& out) {

@@ -87,9 +87,11 @@ class RenderSession {
   void restore(CheckpointReader& in);
 
   /// Computes what run() needs before the picture: the caches of indirect light and what paths
-  /// learn. Returns false if cancelled.
+  /// learn. Returns false if cancelled. `share`: processes that call help_prepare() meanwhile.
   bool prepare(const Progressive::Callbacks& callbacks = {},
-               const std::atomic<bool>* cancel = nullptr);
+               const std::atomic<bool>* cancel = nullptr, WorkShare* share = nullptr);
+  /// Computes a share of prepare() of the leading process; read_maps() has to follow.
+  void help_prepare(WorkShare& share, const std::atomic<bool>* cancel);
   /// Writes the result of prepare(); read_maps() of a session with the same world and settings
   /// reads it before run().
   /// Errors:  CheckpointError; the session can then not be used any more.
@@ -153,7 +155,8 @@ class RenderSession {
   FilmSample sample(int x, int y, std::uint32_t index, PathRecord& record, RayCounts& counts) const;
   IntegratorPreparation preparation(const ProgressMonitor& monitor,
                                     std::function<void()> after_pass);
-  void prepare_maps(const Progressive::Callbacks& callbacks, const std::atomic<bool>* cancel);
+  void prepare_maps(const Progressive::Callbacks& callbacks, const std::atomic<bool>* cancel,
+                    WorkShare* share = nullptr);
   StopReason show_preview();
   void clear_film();
   template <class Checkpoint>

@@ -53,7 +53,7 @@ TEST_F(Mpi, RanksShareMaps) {
   text.replace(text.find(place), place.size(),
                place + " energy 5 5 5 globillum photons 1000 caustic photons 100");
   write("scene.mi", text);
-  for (const char* method : {"path+cache", "fg+photons"})
+  for (const char* method : {"path+cache", "fg", "fg+photons"})
     expect_same({"--gi", method, "--samples", "16"}, {3});
 }
 

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <mutex>
 
+#include "base/byte_stream.h"
 #include "base/math.h"
 #include "base/parallel.h"
+#include "transport/gather/record_state.h"
 
 namespace oriel {
 namespace {
@@ -37,6 +39,40 @@ sampling::Sampler visit_pixel(const World& world, int x, int y, int pass, std::u
   return sampler;
 }
 
+template <class Stream>
+void visit_ray_counts(Stream& stream, RayCounts& rays) {
+  for (std::uint64_t* count : {&rays.eye, &rays.reflect, &rays.refract, &rays.gather, &rays.shadow,
+                               &rays.probe, &rays.environment})
+    stream.value(*count);
+}
+
+/// Completes rows of which this process made its own, and their rays. Returns false if the work
+/// ends.
+bool exchange_rows(WorkShare& share, std::vector<std::vector<GatherRecord>>& rows,
+                   RayCounts& rays) {
+  ByteWriter own;
+  visit_ray_counts(own, rays);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (!share.owns(r)) continue;
+    own.value(std::uint64_t{r});
+    save_records(own, rows[r]);
+  }
+  const std::vector<std::string> all = share.exchange(own.take());
+  rays = {};
+  for (const std::string& bytes : all) {
+    ByteReader in(bytes);
+    RayCounts of_process;
+    visit_ray_counts(in, of_process);
+    rays += of_process;
+    while (!in.rest().empty()) {
+      std::uint64_t r = 0;
+      in.value(r);
+      rows.at(static_cast<std::size_t>(r)) = restore_records(in);
+    }
+  }
+  return !all.empty();
+}
+
 }  // namespace
 
 std::vector<GatherPoint> first_gather_points(const World& world, const Window& window,
@@ -51,19 +87,23 @@ std::vector<GatherPoint> first_gather_points(const World& world, const Window& w
 
 void gather_for_picture(const World& world, const Window& window, const GatherPasses& passes,
                         GatherCache& cache, RayCounts& counts, const ProgressMonitor& monitor,
-                        const std::function<void()>& after_pass) {
+                        const std::function<void()>& after_pass, WorkShare* share) {
   const int finest = finest_step(passes.density);
   // A pass has four times as many points as the one before; most of them need no record.
-  double done = 0, share = math::pow(4.0, -kPasses) * 3 / (1 - math::pow(4.0, -kPasses));
-  for (int pass = 0; pass < kPasses && !monitor.cancelled(); ++pass, share *= 4) {
+  double done = 0, part = math::pow(4.0, -kPasses) * 3 / (1 - math::pow(4.0, -kPasses));
+  // Processes that share the work end together, see WorkShare::exchange().
+  for (int pass = 0; pass < kPasses && (share || !monitor.cancelled()); ++pass, part *= 4) {
     const int step = finest << (kPasses - 1 - pass);
     std::vector<int> rows;
     for (int y = window.y0 + step / 2; y < window.y1; y += step) rows.push_back(y);
     std::vector<std::vector<GatherRecord>> made(rows.size());
+    std::size_t own_rows = rows.size();
+    for (std::size_t r = 0; share && r < rows.size(); ++r) own_rows -= share->owns(r) ? 0 : 1;
     std::mutex mutex;
     std::size_t rows_done = 0;
+    RayCounts of_pass;
     parallel_for(rows.size(), [&](std::size_t r) {
-      if (monitor.cancelled()) return;
+      if (monitor.cancelled() || (share && !share->owns(r))) return;
       RayCounts mine;
       std::vector<GatherPoint> points;
       for (int x = window.x0 + step / 2; x < window.x1; x += step) {
@@ -78,13 +118,15 @@ void gather_for_picture(const World& world, const Window& window, const GatherPa
         }
       }
       const std::lock_guard lock(mutex);
-      counts += mine;
-      monitor.report("gather points", done + share * static_cast<double>(++rows_done) /
-                                                 static_cast<double>(rows.size()));
+      of_pass += mine;
+      monitor.report("gather points", done + part * static_cast<double>(++rows_done) /
+                                                 static_cast<double>(own_rows));
     });
+    if (share && !exchange_rows(*share, made, of_pass)) return;
+    counts += of_pass;
     for (const auto& row : made) cache.insert(row);
     cache.settle_radii();
-    done += share;
+    done += part;
     after_pass();
   }
 }

@@ -5,6 +5,7 @@
 #include "runtime/window.h"
 #include "transport/gather/gather_points.h"
 #include "transport/progress_monitor.h"
+#include "transport/work_share.h"
 
 namespace oriel {
 
@@ -26,9 +27,12 @@ std::vector<GatherPoint> first_gather_points(const World& world, const Window& w
 ///          gathers where no record applies, and inserts all new records in the order of pixels, so
 ///          the result does not depend on the number of threads. After each pass radii are clamped
 ///          to those of neighbours and `after_pass` is called.
+/// Inputs:  share: processes with the same cache that compute rows of the passes together; null =
+///          this one alone. The cache is the same either way, and `counts` contains the rays of
+///          all processes.
 /// Checked: tests/cross_method, GatherOptions.* in tests/analytic
 void gather_for_picture(const World& world, const Window& window, const GatherPasses& passes,
                         GatherCache& cache, RayCounts& counts, const ProgressMonitor& monitor,
-                        const std::function<void()>& after_pass);
+                        const std::function<void()>& after_pass, WorkShare* share = nullptr);
 
 }  // namespace oriel

@@ -1,28 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/cache_state.h"
+// Gather records in checkpoints and messages.
+#pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <span>
+#include <vector>
+
+#include "base/checkpoint_file.h"
+#include "transport/gather/gather_record.h"
 
 namespace oriel {
-namespace {
 
 /// The numbers of a record, which precede its shares in memory, without gaps.
-constexpr std::size_t kBytesOfRecord = offsetof(GatherRecord, shares);
-constexpr std::size_t kNumbersOfRecord = kBytesOfRecord / sizeof(float);
+inline constexpr std::size_t kBytesOfRecord = offsetof(GatherRecord, shares);
+inline constexpr std::size_t kNumbersOfRecord = kBytesOfRecord / sizeof(float);
 static_assert(kBytesOfRecord == 5 * sizeof(Vec3) + 4 * sizeof(float) + sizeof(GatherRecord::free) +
                                     sizeof(IncomingLight) + 4 * sizeof(Vec3));
 
-}  // namespace
-
-void save_cache(CheckpointWriter& out, const GatherCache& cache) {
-  std::vector<float> numbers(cache.records().size() * kNumbersOfRecord);
+/// Writes records to a CheckpointWriter or ByteWriter.
+template <class Out>
+void save_records(Out& out, std::span<const GatherRecord> records) {
+  std::vector<float> numbers(records.size() * kNumbersOfRecord);
   std::vector<std::uint8_t> counts;
   std::vector<Rgb> shares;  // at most kMaxLightLayers of each record
   std::size_t at = 0;
-  for (const GatherRecord& record : cache.records()) {
+  for (const GatherRecord& record : records) {
     std::memcpy(&numbers[at], static_cast<const void*>(&record), kBytesOfRecord);
     at += kNumbersOfRecord;
     counts.push_back(static_cast<std::uint8_t>(record.shares.size()));
@@ -33,7 +38,10 @@ void save_cache(CheckpointWriter& out, const GatherCache& cache) {
   out.list(shares);
 }
 
-GatherCache restore_cache(CheckpointReader& in) {
+/// Reads what save_records() wrote, from a CheckpointReader or ByteReader.
+/// Errors:  CheckpointError if a record is invalid.
+template <class In>
+std::vector<GatherRecord> restore_records(In& in) {
   std::vector<float> numbers;
   std::vector<std::uint8_t> counts;
   std::vector<Rgb> shares;
@@ -57,10 +65,7 @@ GatherCache restore_cache(CheckpointReader& in) {
     used += count;
   }
   require(used == shares.size());
-  GatherCache cache;
-  require(cache.insert(records) == records.size());
-  cache.settle_radii();
-  return cache;
+  return records;
 }
 
 }  // namespace oriel
