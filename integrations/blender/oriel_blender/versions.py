@@ -119,6 +119,12 @@ def light_temperature(light):
     return (1.0, 1.0, 1.0)
 
 
+def spots_have_cosine():
+    """Whether the light of spots in Cycles falls with the cosine to the axis. Measured with 3.4; the
+    sources of later versions have no such factor."""
+    return bpy.app.version < (3, 5, 0)
+
+
 def light_casts_shadow(light):
     cycles = getattr(light, "cycles", None)
     if cycles is not None and hasattr(cycles, "cast_shadow"):  # until 4.1

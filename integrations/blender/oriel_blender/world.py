@@ -4,7 +4,7 @@ import math
 
 import numpy
 
-from . import mi
+from . import arithmetic, mi
 
 
 def output_node(tree, kind):
@@ -103,6 +103,9 @@ class WorldWriter:
                                  transform=tuple(matrix.ravel()))
         look = self.out.shader("world.picture", "mib_lookup_spherical", dir=turned,
                                tex=mi.Words(mi.quoted(texture)))
+        if self.images.is_encoded(node.image):
+            look = self.out.shader("world.decoded", "oriel_math", input1=look,
+                                   operation=arithmetic.OPERATIONS["SRGB_OF_GAMMA"])
         return self.scaled(look, strength)
 
     def scaled(self, look, strength):
