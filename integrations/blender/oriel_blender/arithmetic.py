@@ -2,7 +2,7 @@
 """Nodes that compute with numbers and colours, as oriel_math, oriel_blend and tables."""
 import math
 
-from . import mi
+from . import mi, versions
 
 LUMINANCE = (0.2126, 0.7152, 0.0722)
 RAMP_SAMPLES = 31    # of ramps that are not linear
@@ -169,7 +169,7 @@ def mix(graph, node, output):
                 not 0 <= graph.scalar(factor) <= 1:
             return operate(graph, "MULTIPLY_ADD", operate(graph, "SUBTRACT", b, a), factor, a)
     else:
-        factor = graph.value(node.inputs["Fac"])
+        factor = graph.value(versions.input_of(node, "Fac"))
         a, b = graph.value(node.inputs["Color1"]), graph.value(node.inputs["Color2"])
     return blended(graph, node, blend, graph.scalar(factor), a, b, clamp)
 
@@ -192,7 +192,7 @@ def blended(graph, node, blend, factor, a, b, clamp=False):
 
 
 def ramp(graph, node, output):
-    value = graph.scalar(graph.value(node.inputs["Fac"]))
+    value = graph.scalar(graph.value(versions.input_of(node, "Fac")))
     band, alpha = node.color_ramp, output.identifier == "Alpha"
     if not isinstance(value, mi.Connection):
         rgba = band.evaluate(value)
@@ -221,7 +221,7 @@ def steps(elements):
 
 
 def invert(graph, node, output):
-    value, factor = graph.value(node.inputs["Color"]), graph.value(node.inputs["Fac"])
+    value, factor = graph.value(node.inputs["Color"]), graph.value(versions.input_of(node, "Fac"))
     if isinstance(value, mi.Connection):
         inverse = operate(graph, "SUBTRACT", 1.0, value)
     else:
@@ -274,7 +274,8 @@ def bright_contrast(graph, node, output):
 
 def hue_saturation(graph, node, output):
     names = {"hue": "Hue", "saturation": "Saturation", "value": "Value", "factor": "Fac"}
-    values = {k: graph.scalar(graph.value(node.inputs[n])) for k, n in names.items()}
+    values = {k: graph.scalar(graph.value(versions.input_of(node, n)))
+              for k, n in names.items()}
     return graph.add("hue", "oriel_hue_saturation",
                      input=graph.colour(graph.value(node.inputs["Color"])), **values)
 
@@ -306,7 +307,7 @@ def map_range(graph, node, output):
 
 def curves(graph, node, output):
     """RGB curves in 0 to 1: the curve of all channels, then that of each."""
-    value, factor = graph.value(node.inputs["Color"]), graph.scalar(graph.value(node.inputs["Fac"]))
+    value, factor = graph.value(node.inputs["Color"]), graph.scalar(graph.value(versions.input_of(node, "Fac")))
     mapping = node.mapping
     mapping.initialize()
     def curved(x, channel):
@@ -326,7 +327,7 @@ def curves(graph, node, output):
 
 def float_curve(graph, node, output):
     value = graph.scalar(graph.value(node.inputs["Value"]))
-    factor = graph.scalar(graph.value(node.inputs["Factor"]))
+    factor = graph.scalar(graph.value(versions.input_of(node, "Factor")))
     node.mapping.initialize()
     positions = [i / (CURVE_SAMPLES - 1) for i in range(CURVE_SAMPLES)]
     results = [(node.mapping.evaluate(node.mapping.curves[0], x),) * 3 for x in positions]

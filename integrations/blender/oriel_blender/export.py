@@ -4,7 +4,8 @@ import os
 
 import numpy
 
-from . import camera, curves, images, lights, materials, meshes, mi, variants, world
+from . import (camera, curves, images, lights, materials, meshes, mi, variants, versions,
+               world)
 
 MOTION_STEPS = 8  # of transforms that turn
 NARROW = .9999  # refl_gloss of a lobe of 0.16 degrees
@@ -73,7 +74,7 @@ class Exporter:
         if not render.use_motion_blur or self.frame_set is None:
             return None
         shutter = render.motion_blur_shutter
-        position = getattr(getattr(self.scene, "cycles", None), "motion_blur_position", "CENTER")
+        position = versions.shutter_position(self.scene)
         start = {"START": 0.0, "CENTER": -shutter / 2, "END": -shutter}.get(position, -shutter / 2)
         return start, start + shutter
 

@@ -7,7 +7,7 @@ import bpy
 import numpy
 from mathutils import Vector
 
-from . import lights
+from . import lights, versions
 
 EXPOSURE_CONSTANT = 1.2  # of mia_exposure_photographic
 
@@ -200,7 +200,7 @@ def sky(reader, parameters, tree, background):
         node.sun_elevation = math.asin(max(-1, min(1, direction[2] / numpy.linalg.norm(direction))))
         node.sun_rotation = math.atan2(direction[0], direction[1])
         node.sun_disc = bool(suns)
-        node.dust_density = min(1.0 + float(parameters.get("haze", 0.0)) / 1.5, 10.0)
+        versions.set_sky_dust(node, min(1.0 + float(parameters.get("haze", 0.0)) / 1.5, 10.0))
     conversion = numbers(parameters.get("rgb_unit_conversion"), (1e-4,) * 3)
     background.inputs["Strength"].default_value = max(conversion) * math.pi * 683
     tree.links.new(node.outputs[0], background.inputs["Color"])

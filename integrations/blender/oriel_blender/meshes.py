@@ -56,9 +56,7 @@ def colour_layer(mesh, name):
     if layer.domain == "CORNER":
         return values
     if layer.domain == "FACE":
-        counts = numpy.empty(len(mesh.polygons), numpy.int32)
-        mesh.polygons.foreach_get("loop_total", counts)
-        return numpy.repeat(values, counts, axis=0)
+        return numpy.repeat(values, versions.face_sizes(mesh), axis=0)
     if layer.domain != "POINT":
         return None
     corners = numpy.empty(len(mesh.loops), numpy.int32)

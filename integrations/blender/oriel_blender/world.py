@@ -4,7 +4,7 @@ import math
 
 import numpy
 
-from . import arithmetic, mi
+from . import arithmetic, mi, versions
 
 
 def output_node(tree, kind):
@@ -121,7 +121,7 @@ class WorldWriter:
         else:
             direction = direction_of_sky(node.sun_rotation, node.sun_elevation)
             disc, size, intensity = node.sun_disc, node.sun_size, node.sun_intensity
-            haze = min(max(getattr(node, "dust_density", 1.0) - 1.0, 0.0) * 1.5, 15.0)
+            haze = min(max(versions.sky_dust(node) - 1.0, 0.0) * 1.5, 15.0)
         direction = tuple(self.rotation(world, node).T @ numpy.array(direction))
         return sun_and_sky(self.out, direction, haze, strength / 683.0, disc, size, intensity)
 
