@@ -122,7 +122,7 @@ def visibility():
     """Objects that some kinds of rays do not see."""
     scene = support.empty_scene(80, 48)
     scene.world.color = (.4, .45, .5)
-    support.add_plane(20, principled("Mirror", (.6, .6, .6), Roughness=.05, Metallic=1.0))
+    support.add_plane(20, principled("Mirror", (.6, .6, .6), Roughness=.2, Metallic=1.0))
     for k, flag in enumerate(("visible_camera", "visible_diffuse", "visible_glossy",
                               "visible_transmission", "visible_shadow")):
         ball = support.add_sphere(.5, principled(flag, (.8, .2, .1)), (-3 + 1.5 * k, 0, .6), 24)
