@@ -13,6 +13,17 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import support  # noqa: E402
 
 
+def stage(width, height):
+    """An empty scene in which both programs follow paths as far."""
+    scene = support.empty_scene(width, height)
+    settings = scene.cycles
+    settings.max_bounces = settings.diffuse_bounces = settings.glossy_bounces = 16
+    settings.transmission_bounces = settings.transparent_max_bounces = 16
+    settings.sample_clamp_indirect = settings.blur_glossy = 0
+    scene.oriel.depth = 16
+    return scene
+
+
 def compare(label, limit, samples=64, size=8):
     """Compares the means of blocks of the pictures, and alpha."""
     ours, theirs = (support.render(e, samples, "scene") for e in ("ORIEL", "CYCLES"))
@@ -56,7 +67,7 @@ def floors():
         for roughness in (0.0, .4, .7, 1.0):
             if specular and not roughness:
                 continue  # the mirror image of a lamp is brighter than everything else
-            scene = support.empty_scene(48, 24)
+            scene = stage(48, 24)
             scene.world.color = (.05, .05, .05)
             support.add_plane(200, principled("Floor", (.5, .4, .3), Specular=specular,
                                               Roughness=roughness))
@@ -68,7 +79,7 @@ def floors():
 
 def film():
     """Holdouts, a material override, and collections that only reflections see."""
-    scene = support.empty_scene(64, 48)
+    scene = stage(64, 48)
     scene.world.color, scene.render.film_transparent = (.5, .6, .8), True
     support.add_sphere(1, principled("Red", (.8, .3, .1)), (-1.2, 0, 1), 32)
     ball = support.add_sphere(.8, principled("Green", (.3, .8, .1)), (1, 0, .8), 32)
@@ -94,7 +105,7 @@ def film():
 
 def displacement():
     """Displacement of vertices, as bump, and both."""
-    scene = support.empty_scene(64, 48)
+    scene = stage(64, 48)
     scene.world.color = (.3, .3, .3)
     bpy.ops.mesh.primitive_grid_add(x_subdivisions=60, y_subdivisions=60, size=3)
     bpy.ops.object.shade_smooth()
@@ -120,7 +131,7 @@ def displacement():
 
 def visibility():
     """Objects that some kinds of rays do not see."""
-    scene = support.empty_scene(80, 48)
+    scene = stage(80, 48)
     scene.world.color = (.4, .45, .5)
     support.add_plane(20, principled("Mirror", (.6, .6, .6), Roughness=.2, Metallic=1.0))
     for k, flag in enumerate(("visible_camera", "visible_diffuse", "visible_glossy",
@@ -138,7 +149,7 @@ def visibility():
 
 
 def hair():
-    scene = support.empty_scene(64, 64)
+    scene = stage(64, 64)
     scene.world.color = (.4, .4, .4)
     bpy.ops.mesh.primitive_uv_sphere_add(radius=1)
     ob = bpy.context.object
@@ -155,7 +166,7 @@ def hair():
 
 def panoramas():
     """Panoramic cameras as in Cycles; others are refused."""
-    scene = support.empty_scene(64, 32)
+    scene = stage(64, 32)
     scene.world.color = (.3, .4, .6)
     support.add_plane(20, principled("Floor", (.5, .4, .3)), z=-1)
     for x, colour in ((-3, (.8, .1, .1)), (3, (.1, .7, .1))):

@@ -268,8 +268,8 @@ class MaterialWriter:
         surface.opacity = graph.scalar(read.get("Alpha", default=1.0))
         if metallic == 0.0 and not surface.transmits and "anisotropy" not in surface.parameters \
                 and not read.number("Subsurface Weight", "Subsurface"):
-            layers.plastic(graph, surface, base, graph.curve(roughness, self.wide_enough),
-                           bent if f0 > 0 else 1.0, layered)
+            layers.plastic(graph, surface, base, graph.curve(roughness, self.wide_enough) if f0 > 0
+                           else roughness, bent if f0 > 0 else 1.0, layered)
         else:
             layers.rough_reflection(graph, surface, roughness, layered)
         layers.subsurface(graph, read, surface, layered)
