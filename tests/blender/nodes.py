@@ -311,7 +311,7 @@ def main():
         print(f"{name:24s} mean difference {error:6.2%}", flush=True)
         if error > LIMIT:
             failed.append(f"{name}: {a.mean(axis=(0, 1))}, Cycles {b.mean(axis=(0, 1))}")
-    support.check(not failed, f"{len(CELLS)} nodes within {LIMIT:.0%}: all but {failed}")
+    support.check(not failed, f"{len(CELLS)} nodes within {LIMIT:.1%}: all but {failed}")
 
 
 main()
