@@ -18,12 +18,11 @@ namespace oriel {
 using NodeList = std::vector<const ShaderNode*>;
 
 enum class LobeKind : std::uint8_t {
-  /// Oren-Nayar, `roughness` in radians; with inverse_albedo of Burley, with his roughness
+  /// Oren-Nayar, `roughness` in radians; with inverse_albedo Burley's lobe, with his roughness
   Diffuse,
   Mirror,  ///< perfect reflection
-  /// anisotropic microfacets, white, multiple scattering compensated; with eta other than 1 facets
-  /// of
-  /// a dielectric, scattering once, times inverse_albedo
+  /// anisotropic microfacets, white, multiple scattering compensated. With eta other than 1: facets
+  /// of a dielectric that scatter once, times inverse_albedo
   GlossyReflection,
   ClearRefraction,  ///< through the interface, total reflection beyond the critical angle
   GlossyRefraction,
@@ -84,8 +83,8 @@ struct Lobe {
   Frame frame;          ///< z = shading normal on the viewer's side, x = stretch direction
   float roughness = 0;  ///< Diffuse: sigma; of highlights see LobeKind
   float alpha_x = 0, alpha_y = 0;
-  float inverse_albedo =
-      0;  ///< of glossy lobes for this viewer; set by transport, of facets by the shader
+  /// of glossy lobes for this viewer; set by transport, for facets and Burley's lobe by the shader
+  float inverse_albedo = 0;
   /// refractive index on the far side divided by that on the viewer's side
   float eta = 1;
   LobeControls controls;
