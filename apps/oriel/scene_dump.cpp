@@ -88,7 +88,8 @@ class Dump {
 
   SceneDump run(const std::string& binary_name, Diagnostics& diagnostics) {
     root_ = {{"format", "oriel-scene"}, {"version", 1}, {"binary", binary_name}};
-    for (const char* list : {"objects", "instances", "cameras", "lights", "materials", "textures"})
+    for (const char* list :
+         {"objects", "instances", "cameras", "lights", "materials", "textures", "profiles"})
       root_[list] = json::array();
     root_["shaders"] = json::object();
     Diagnostics unheard;  // problems of scenes that rendering reports
@@ -181,6 +182,7 @@ class Dump {
     if (const auto* camera = std::get_if<scene::Camera>(&element)) add_camera(*camera);
     if (const auto* light = std::get_if<scene::Light>(&element)) add_light(*light);
     if (const auto* texture = std::get_if<scene::Texture>(&element)) add_texture(*texture);
+    if (const auto* profile = std::get_if<scene::LightProfile>(&element)) add_profile(*profile);
     if (const auto* shader = std::get_if<scene::ShaderElement>(&element))
       root_["shaders"][shader->name] = shaders_json(shader->functions);
     if (const auto* material = std::get_if<scene::Material>(&element))
@@ -224,6 +226,13 @@ class Dump {
     else
       left_out_.insert("pixels of textures inside the scene");
     root_["textures"].push_back(std::move(made));
+  }
+
+  void add_profile(const scene::LightProfile& profile) {
+    const std::string file = scene::settings_of(profile).file;
+    root_["profiles"].push_back(
+        {{"name", profile.name},
+         {"file", scene::find_asset(file, profile.directory, scene_.files)}});
   }
 
   /// The matrices of the frames of a placement that moves.

@@ -18,10 +18,13 @@ namespace oriel {
 using NodeList = std::vector<const ShaderNode*>;
 
 enum class LobeKind : std::uint8_t {
-  Diffuse,           ///< Oren-Nayar; `roughness` in radians
-  Mirror,            ///< perfect reflection
-  GlossyReflection,  ///< anisotropic microfacets, white, multiple scattering compensated
-  ClearRefraction,   ///< through the interface, total reflection beyond the critical angle
+  /// Oren-Nayar, `roughness` in radians; with inverse_albedo Burley's lobe, with his roughness
+  Diffuse,
+  Mirror,  ///< perfect reflection
+  /// anisotropic microfacets, white, multiple scattering compensated. With eta other than 1: facets
+  /// of a dielectric that scatter once, times inverse_albedo
+  GlossyReflection,
+  ClearRefraction,  ///< through the interface, total reflection beyond the critical angle
   GlossyRefraction,
   ThinTransmission,  ///< straight through a thin wall
   GlossyThin,        ///< blurred, through a thin wall
@@ -80,7 +83,8 @@ struct Lobe {
   Frame frame;          ///< z = shading normal on the viewer's side, x = stretch direction
   float roughness = 0;  ///< Diffuse: sigma; of highlights see LobeKind
   float alpha_x = 0, alpha_y = 0;
-  float inverse_albedo = 0;  ///< of glossy lobes for this viewer; set by transport
+  /// of glossy lobes for this viewer; set by transport, for facets and Burley's lobe by the shader
+  float inverse_albedo = 0;
   /// refractive index on the far side divided by that on the viewer's side
   float eta = 1;
   LobeControls controls;

@@ -32,10 +32,13 @@
 #include "shaders/base/mib_texture_filter.h"
 #include "shaders/base/mib_texture_procedural.h"
 #include "shaders/maya/host_shaders.h"
+#include "shaders/oriel/oriel_arithmetic.h"
 #include "shaders/oriel/oriel_direction_angle.h"
+#include "shaders/oriel/oriel_facing.h"
 #include "shaders/oriel/oriel_layers.h"
 #include "shaders/oriel/oriel_lens.h"
 #include "shaders/oriel/oriel_normal_map.h"
+#include "shaders/oriel/oriel_plastic.h"
 #include "shaders/oriel/oriel_tex_vector.h"
 #include "shaders/oriel/oriel_vertex_color.h"
 #include "shaders/physics/dgs_material.h"
@@ -126,12 +129,17 @@ constexpr const ShaderSpec* kBuiltin[] = {
     &kDgsMaterialPhoton,
     &kDielectricMaterial,
     &kDielectricMaterialPhoton,
+    &kOrielBlend,
     &kOrielDirectionAngle,
+    &kOrielFacing,
+    &kOrielHueSaturation,
     &kOrielLensCube,
     &kOrielLensFisheye,
     &kOrielLensPanorama,
     &kOrielLensShift,
+    &kOrielMath,
     &kOrielNormalMap,
+    &kOrielPlastic,
     &kOrielSheen,
     &kOrielTexVector,
     &kOrielThinFilm,

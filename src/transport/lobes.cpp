@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "bsdf/burley_diffuse.h"
+#include "bsdf/facet_reflection.h"
 #include "bsdf/glossy_reflection.h"
 #include "bsdf/highlights.h"
 #include "bsdf/oren_nayar.h"
@@ -23,6 +25,8 @@ auto with_bsdf(const Lobe& lobe, F&& f) {
     case LobeKind::Mirror:
       return f(bsdf::Mirror{});
     case LobeKind::GlossyReflection:
+      if (lobe.eta != 1)
+        return f(bsdf::FacetReflection(lobe.alpha_x, lobe.alpha_y, lobe.eta, lobe.inverse_albedo));
       return f(bsdf::GlossyReflection(lobe.alpha_x, lobe.alpha_y, lobe.inverse_albedo));
     case LobeKind::ClearRefraction:
       return f(bsdf::ClearRefraction{lobe.eta});
@@ -37,12 +41,16 @@ auto with_bsdf(const Lobe& lobe, F&& f) {
     case LobeKind::Sheen:
       return f(bsdf::Sheen(lobe.roughness));
     default:
+      if (lobe.inverse_albedo > 0)
+        return f(bsdf::BurleyDiffuse(lobe.roughness, lobe.inverse_albedo));
       return f(bsdf::OrenNayar(lobe.roughness));
   }
 }
 
 /// Most surfaces have one lobe of this kind. Its value and density need no local frame.
-bool is_lambert(const Lobe& lobe) { return lobe.kind == LobeKind::Diffuse && lobe.roughness == 0; }
+bool is_lambert(const Lobe& lobe) {
+  return lobe.kind == LobeKind::Diffuse && lobe.roughness == 0 && lobe.inverse_albedo == 0;
+}
 
 /// The value of a Lambert lobe, divided by its weight and by cos / pi.
 float lambert_factor(const Lobe& lobe, const ShadingPoint& point, const Vec3& wi) {
@@ -96,6 +104,7 @@ void make_ready(Closure& closure, const Vec3& wo) {
     const bool refracts = lobe.kind == LobeKind::GlossyRefraction;
     if (lobe.kind != LobeKind::GlossyReflection && lobe.kind != LobeKind::GlossyThin && !refracts)
       continue;
+    if (lobe.kind == LobeKind::GlossyReflection && lobe.eta != 1) continue;  // set by the shader
     Vec3 o = lobe.frame.to_local(wo);
     if (refracts && o.z > 0) o = bsdf::RoughRefraction::lobe_view(o, lobe.eta);
     lobe.inverse_albedo = o.z > 0 ? 1 / bsdf::ggx_albedo(lobe.alpha_x, lobe.alpha_y, o) : 1;

@@ -113,7 +113,8 @@ def sky():
 EDITS = [
     ("colour", lambda: setattr(principled("Paint")["Base Color"], "default_value", (.1, .5, .2, 1)), True),
     ("roughness", lambda: setattr(principled("Paint")["Roughness"], "default_value", .2), True),
-    ("metallic", lambda: setattr(principled("Paint")["Metallic"], "default_value", .5), True),
+    ("metal", lambda: setattr(principled("Paint")["Metallic"], "default_value", .5), False),
+    ("metallic", lambda: setattr(principled("Paint")["Metallic"], "default_value", .8), True),
     ("emission", lambda: setattr(principled("Paint")["Emission"], "default_value", (1, .5, 0, 1)), False),
     ("index of refraction", lambda: setattr(principled("Glass.001")["IOR"], "default_value", 1.7), True),
     ("alpha", lambda: setattr(principled("Glass.001")["Alpha"], "default_value", .5), False),

@@ -65,6 +65,22 @@ def profile():
     compare("profile of a text", 10 * 60 / 177.83 / 4 / math.pi / 2 ** 1.5)
 
 
+def spots_and_spread():
+    """Light beside the axis of spots, and of areas with spread."""
+    for angle in (120, 40):
+        setting("AREA", 50.0, shape="SQUARE", size=.01, spread=math.radians(angle))
+        compare(f"spread of {angle} degrees")
+    import bpy
+    setting("AREA", 50.0, shape="DISK", size=.3, spread=math.radians(60))
+    bpy.data.objects["Camera"].location.x = .6
+    compare("spread beside the axis")
+    for blend, size, radius in ((0.0, 150, 0.0), (.5, 150, 0.0), (1.0, 100, .1), (.3, 180, .05)):
+        setting("SPOT", 100.0, shadow_soft_size=radius, spot_size=math.radians(size),
+                spot_blend=blend)
+        bpy.data.objects["Camera"].location.x = 2.0
+        compare(f"spot of {size} degrees, blend {blend}, at 45 degrees")
+
+
 def use_nodes(light):
     light.use_nodes = True
     return light.node_tree
@@ -92,6 +108,7 @@ def main():
     setting("AREA", 50.0, shape="DISK", size=1.0)
     radiance = 50 / (4 * math.pi * .25)
     compare("disc", radiance * .25 / (.25 + 4))
+    spots_and_spread()
     import bpy
     setting("AREA", 50.0, shape="SQUARE", size=1.0)
     bpy.data.objects["Light"].scale = (2, .5, 1)

@@ -102,7 +102,7 @@ def furniture():
 
 
 def room():
-    scene = support.empty_scene(160, 96)
+    scene = support.empty_scene(80, 48)
     scene.cycles.max_bounces = scene.cycles.diffuse_bounces = scene.cycles.glossy_bounces = 16
     scene.cycles.sample_clamp_indirect = scene.cycles.blur_glossy = 0
     scene.oriel.depth = 16

@@ -34,6 +34,7 @@ Cases other_max_light_cases();
 Cases other_max_material_cases();
 Cases other_max_texture_cases();
 Cases other_oriel_cases();
+Cases oriel_node_cases();
 Cases other_physics_cases();
 Cases other_production_cases();
 Cases other_volume_cases();
@@ -56,9 +57,9 @@ inline std::vector<Cases (*)()> case_lists() {
       mia_sun_cases,           other_lens_cases,
       other_max_light_cases,   other_max_material_cases,
       other_max_texture_cases, other_oriel_cases,
-      other_physics_cases,     other_production_cases,
-      other_volume_cases,      photon_slot_cases,
-      subsurface_cases,
+      oriel_node_cases,        other_physics_cases,
+      other_production_cases,  other_volume_cases,
+      photon_slot_cases,       subsurface_cases,
   };
 }
 

@@ -46,21 +46,61 @@ def unscaled(matrix):
     return m
 
 
+class Unsupported(RuntimeError):
+    """A camera that the program does not have."""
+
+
+def panorama_settings(camera):
+    """Reads settings of panoramas: of Cycles until 4.x, later of the camera."""
+    settings = getattr(camera, "cycles", None)
+    def get(name, default):
+        found = getattr(camera, name, None)
+        return getattr(settings, name, default) if found is None else found
+    return get
+
+
+def panorama_turn(camera):
+    """Rotation of the camera for longitudes that are not symmetric, as a 3x3 matrix."""
+    get = panorama_settings(camera)
+    if camera.type != "PANO" or get("panorama_type", "EQUIRECTANGULAR") != "EQUIRECTANGULAR":
+        return numpy.eye(3)
+    middle = (get("longitude_min", -math.pi) + get("longitude_max", math.pi)) / 2
+    return numpy.array([[math.cos(middle), 0, -math.sin(middle)], [0, 1, 0],
+                        [math.sin(middle), 0, math.cos(middle)]])
+
+
+def panorama_text(scene, camera):
+    """The lens shader of a panoramic camera."""
+    get = panorama_settings(camera)
+    kind = get("panorama_type", "EQUIRECTANGULAR")
+    render = scene.render
+    size = render.resolution_x * render.pixel_aspect_x, render.resolution_y * render.pixel_aspect_y
+    if kind == "EQUIRECTANGULAR":
+        low, high = get("latitude_min", -math.pi / 2), get("latitude_max", math.pi / 2)
+        if abs(low + high) > 1e-4:
+            raise Unsupported("panoramas have the same latitude above and below the horizon")
+        wide = get("longitude_max", math.pi) - get("longitude_min", -math.pi)
+        return "  lens " + mi.call("oriel_lens_panorama", projection=0,
+                                   horizontal=math.degrees(wide),
+                                   vertical=math.degrees(high - low)) + "\n"
+    angle = get("fisheye_fov", math.pi)
+    if kind == "FISHEYE_EQUISOLID":
+        # The image circle inside the frame shows the angle that the lens projects on the sensor.
+        reach = camera.sensor_width / 2 * min(size) / max(size)
+        angle = 4 * math.asin(min(reach / (2 * max(get("fisheye_lens", 10.5), 1e-3)), 1.0))
+        return "  lens " + mi.call("oriel_lens_fisheye", mapping=1,
+                                   angle=min(math.degrees(angle), 360.0)) + "\n"
+    if kind == "FISHEYE_EQUIDISTANT":
+        if abs(size[0] - size[1]) > 1e-3 * size[0]:
+            raise Unsupported("equidistant fisheye cameras need square pictures")
+        return "  lens " + mi.call("oriel_lens_fisheye", mapping=0,
+                                   angle=min(math.degrees(angle), 360.0)) + "\n"
+    raise Unsupported(f"panoramas of the type {kind} are unsupported")
+
+
 def lens_text(scene, camera_object, camera, to_world):
     """Lens shaders: the panorama and depth of field."""
-    text = ""
-    if camera.type == "PANO":
-        settings = getattr(camera, "cycles", None)
-        kind = getattr(camera, "panorama_type", None) or \
-            getattr(settings, "panorama_type", "EQUIRECTANGULAR")
-        angle = getattr(camera, "fisheye_fov", None) or getattr(settings, "fisheye_fov", math.pi)
-        if kind.startswith("FISHEYE"):
-            mapping = 1 if kind == "FISHEYE_EQUISOLID" else 0
-            text += "  lens " + mi.call("oriel_lens_fisheye", mapping=mapping,
-                                        angle=math.degrees(angle)) + "\n"
-        else:
-            text += "  lens " + mi.call("oriel_lens_panorama", projection=0, horizontal=360.0,
-                                        vertical=180.0) + "\n"
+    text = panorama_text(scene, camera) if camera.type == "PANO" else ""
     bokeh = bokeh_call(camera_object, camera, to_world)
     return text + (f"  lens {bokeh}\n" if bokeh else "")
 
@@ -106,7 +146,9 @@ def write(out, scene, camera_object, to_world, size, environment, options):
     if options.get("motion") is not None:
         motion = mi.transform(unscaled(options["motion"]), "motion transform") or ""
     instance = out.names.unique(name + "_inst")
-    out.instance(instance, name, unscaled(to_world), motion)
+    placed = unscaled(to_world)
+    placed[:3, :3] = placed[:3, :3] @ panorama_turn(camera)
+    out.instance(instance, name, placed, motion)
     return instance
 
 

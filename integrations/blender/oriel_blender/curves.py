@@ -59,8 +59,9 @@ def particle_arrays(ob, system, matrix_inverse):
     points = numpy.array(rows, numpy.float64)
     inverse = numpy.array(matrix_inverse)
     points = points @ inverse[:3, :3].T + inverse[:3, 3]
-    root = settings.root_radius * settings.radius_scale
-    tip = settings.tip_radius * settings.radius_scale
+    # The settings are diameters.
+    root = settings.root_radius * settings.radius_scale / 2
+    tip = 0.0 if settings.use_close_tip else settings.tip_radius * settings.radius_scale / 2
     radii = numpy.concatenate([numpy.linspace(root, tip, n) for n in counts])
     first = numpy.concatenate([[0], numpy.cumsum(counts)])
     return points.astype(numpy.float32), radii.astype(numpy.float32), first

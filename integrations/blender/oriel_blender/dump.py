@@ -29,9 +29,12 @@ class Dump:
         return self.root.get(name, [])
 
     def shader(self, name):
-        """The last call of a named shader; None if there is none."""
-        calls = self.root.get("shaders", {}).get(name.split(".")[0], [])
-        return self.call(calls[-1]) if calls else None
+        """The last call of a named shader, or of NAME.RESULT; None if there is none."""
+        shaders = self.root.get("shaders", {})
+        for key in (name, name.rsplit(".", 1)[0], name.split(".")[0]):
+            if shaders.get(key):
+                return self.call(shaders[key][-1])
+        return None
 
     def call(self, use):
         """The call behind a reference."""

@@ -71,6 +71,7 @@ class OrielEngine(bpy.types.RenderEngine):
         super().__init__(*args, **kwargs)
         self.session = None
         self.background = None
+        self.holdouts = ()
 
     def __del__(self):
         try:
@@ -87,7 +88,7 @@ class OrielEngine(bpy.types.RenderEngine):
     def render(self, depsgraph):
         try:
             self.render_layer(depsgraph)
-        except (RenderFailed, program.ProgramMissing) as error:
+        except (RenderFailed, program.ProgramMissing, camera.Unsupported) as error:
             self.fail(str(error))
         except Exception as error:  # an exception would leave an empty picture and exit status 0
             traceback.print_exc()
@@ -131,10 +132,12 @@ class OrielEngine(bpy.types.RenderEngine):
         print(f"Oriel: exported in {time.time() - started:.2f} s, "
               f"{exporter.meshes.written} new meshes")
         exporter.meshes.written = 0
+        self.holdouts = sorted(exporter.holdouts)
         output = os.path.join(folder, f"{name}.exr")
         arguments = [scene_path, "-o", output, "--exr", "float,none", "--linear",
                      *border.arguments(), *self.quality(scene), *self.group_arguments(exporter),
-                     *passes.arguments(layer, self.denoises(scene), exporter.transparent)]
+                     *passes.arguments(layer, self.denoises(scene),
+                                       exporter.transparent or bool(exporter.holdouts))]
         result_size = border.size if border.used else size
         result = self.begin_result(0, 0, *result_size, layer=layer.name, view=view)
         self.background = self.render_background(scene_path, border) if exporter.transparent \
@@ -257,6 +260,9 @@ class OrielEngine(bpy.types.RenderEngine):
             combined[:, 3:] = passes.coverage(picture)
             behind = (1 - combined[:, 3:]) * self.background
             combined[:, :3] = numpy.maximum(combined[:, :3] - behind, 0)
+        if self.holdouts:
+            combined[:, 3:] = numpy.maximum(
+                combined[:, 3:] - passes.coverage(picture, self.holdouts), 0)
         if factor != 1:
             combined[:, :3] *= factor
         fill(layers[0].passes, "Combined", combined, view)
@@ -265,7 +271,7 @@ class OrielEngine(bpy.types.RenderEngine):
                 else p.make(picture)
             if pixels is not None:
                 fill(layers[0].passes, p.name, pixels, view)
-        if passes.mattes(layer):
+        if passes.matte_names(layer):
             stamp_mattes(self.get_result(), layer, picture.attributes)
         return True
 
@@ -288,7 +294,7 @@ def stamp_mattes(result, layer, attributes):
         if not key.startswith("cryptomatte/"):
             continue
         name = attributes.get(key.rsplit("/", 1)[0] + "/name", "")
-        if not any(p.startswith(name) for p in passes.mattes(layer)):
+        if not any(p.startswith(name) for p in passes.matte_names(layer)):
             continue
         field, full = key.split("/", 2)[2], f"{layer.name}.{name}"
         result.stamp_data_add_field(f"cryptomatte/{mattes.identifier(full)}/{field}",

@@ -4,7 +4,8 @@ import os
 
 import numpy
 
-from . import camera, curves, images, lights, materials, meshes, mi, world
+from . import (camera, curves, images, lights, materials, meshes, mi, variants, versions,
+               world)
 
 MOTION_STEPS = 8  # of transforms that turn
 NARROW = .9999  # refl_gloss of a lobe of 0.16 degrees
@@ -23,6 +24,10 @@ class Placed:
         self.show = instance.show_self
         self.particles = instance.show_particles
         self.is_instance = instance.is_instance
+        self.random_id = instance.random_id
+        # Collections of view layers hold out, or hide from the camera, the objects that place others.
+        self.owner = instance.parent.original if instance.is_instance and instance.parent else \
+            evaluated.original
         identity = tuple(instance.persistent_id) if instance.is_instance else ()
         self.key = (evaluated.name_full, instance.parent.name_full if instance.parent else "",
                     identity)
@@ -36,6 +41,7 @@ class Exporter:
         self.depsgraph = depsgraph
         self.scene = depsgraph.scene_eval
         self.layer = depsgraph.view_layer_eval
+        self.original_layer = depsgraph.view_layer
         self.folder = folder
         self.meshes = mesh_folder
         self.frame_set = frame_set
@@ -48,6 +54,7 @@ class Exporter:
         self._background = ""      # the scene without objects
         self.images = images.Images(self.out, folder, self.report)
         self.materials = materials.MaterialWriter(self.out, self.images, self.report)
+        self.holdouts = set()      # names of instances that are held out
         self.groups = {}           # light group -> instance names
         self.known = {}            # key of geometry -> name and file of an earlier export
         self._objects = {}         # key of geometry -> element name
@@ -67,7 +74,7 @@ class Exporter:
         if not render.use_motion_blur or self.frame_set is None:
             return None
         shutter = render.motion_blur_shutter
-        position = getattr(getattr(self.scene, "cycles", None), "motion_blur_position", "CENTER")
+        position = versions.shutter_position(self.scene)
         start = {"START": 0.0, "CENTER": -shutter / 2, "END": -shutter}.get(position, -shutter / 2)
         return start, start + shutter
 
@@ -189,6 +196,14 @@ class Exporter:
             if placed.particles and ob.type == "MESH":
                 self.particle_hair(ob, placed)
 
+    def is_held_out(self, placed):
+        return placed.owner.is_holdout or placed.owner.holdout_get(view_layer=self.original_layer)
+
+    def visibility(self, ob, placed):
+        if placed.owner.indirect_only_get(view_layer=self.original_layer):
+            return "  visible off\n" + visibility(ob).replace("  visible off\n", "")
+        return visibility(ob)
+
     def motion_statement(self, placed):
         end = self._motion.get(placed.key)
         if end is None or numpy.allclose(end, placed.matrix, rtol=0, atol=1e-9):
@@ -217,14 +232,19 @@ class Exporter:
                 original.data.name_full, ob.data.name_full
         return "object", original.name_full, ob.data.name_full if ob.data else ""
 
-    def slots(self, ob):
+    def slots(self, ob, placed):
         """Material names of the slots, and the number of texture spaces of all of them."""
-        slots = [slot.material for slot in ob.material_slots] or [None]
-        written = [self.materials.write(m.original if m else None) for m in slots]
+        override = self.layer.material_override
+        slots = [override or slot.material for slot in ob.material_slots] or [override]
+        def values_of(wanted):
+            return variants.values_of(wanted, ob, placed)
+        written = [self.materials.write(m.original if m else None, values_of) for m in slots]
+        if self.is_held_out(placed):
+            written = [(self.materials.held_out(name), count) for name, count in written]
         return [name for name, _ in written], max(count for _, count in written)
 
     def surface(self, ob, placed):
-        names, spaces = self.slots(ob)
+        names, spaces = self.slots(ob, placed)
         key = self.geometry_key(ob) + (spaces,)
         if key not in self._objects:
             self._objects[key] = self.geometry(ob, placed, self.materials.spaces[:spaces], key)
@@ -232,8 +252,11 @@ class Exporter:
         if element is None:
             return
         slot_list = ", ".join(mi.quoted(n) for n in names)
-        extra = f"  material [ {slot_list} ]\n" + visibility(ob) + self.motion_statement(placed)
+        extra = f"  material [ {slot_list} ]\n" + self.visibility(ob, placed) + \
+            self.motion_statement(placed)
         name = self.out.names.unique(placed.name)
+        if self.is_held_out(placed):
+            self.holdouts.add(name)
         if not self.out.instance(name, element, placed.matrix, extra):
             self.report(f'object "{placed.name}": its transform is singular; it is skipped')
         group = getattr(ob.original, "lightgroup", "")
@@ -296,7 +319,7 @@ class Exporter:
                 self.hair(ob, placed, *arrays, wish=f"{placed.name}.{system.name}", slot=index)
 
     def hair(self, ob, placed, points, radii, first, wish, slot=0):
-        names, _ = self.slots(ob)
+        names, _ = self.slots(ob, placed)
         name = self.out.names.unique(wish + ".hair")
         chunks = curves.hair_text(name, points, radii, first)
         if chunks is None:
@@ -306,7 +329,7 @@ class Exporter:
         self.out.add(f"$include {mi.quoted(str(path))}\n")
         extra = f"  material {mi.quoted(names[min(slot, len(names) - 1)])}\n"
         self.out.instance(self.out.names.unique(placed.name), name, placed.matrix,
-                          extra + visibility(ob) + self.motion_statement(placed))
+                          extra + self.visibility(ob, placed) + self.motion_statement(placed))
 
 
 def write_text(path, text):

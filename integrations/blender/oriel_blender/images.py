@@ -29,24 +29,34 @@ class Images:
             return [None]
         return sorted(tile.number for tile in image.tiles)[:MAX_TILES]
 
-    def texture(self, image, material, node, vector=False, tile=None):
-        """The name of the texture element, or None if the image cannot be read."""
+    @staticmethod
+    def is_encoded(image):
+        """Whether the values of the file are encoded by the sRGB curve."""
+        return image is not None and not image.is_float and \
+            image.colorspace_settings.name not in versions.linear_spaces()
+
+    def texture(self, image, material, node, vector=False, tile=None, coloured=True):
+        """The name of the texture element, or None if the image cannot be read. Encoded values, see
+        is_encoded(), are decoded by gamma 2.2, before pixels are averaged.
+
+        coloured: colours are those of opaque pixels; else they are multiplied by alpha.
+        """
         if image is None:
             self.report(f'material "{material}": node "{node}" has no image')
             return None
         space = image.colorspace_settings.name
-        plain = vector or space in versions.linear_spaces()
-        key = image.name_full, plain, tile
+        kind = "color" if self.is_encoded(image) and not vector else "vector"
+        key = image.name_full, coloured, tile, kind
         if key not in self._textures:
             path = self.path_of(image, material, node, tile)
+            if path and tile is None and not vector:
+                path = self.with_alpha(image, path, coloured)
             name = None
             if path:
                 if space not in versions.linear_spaces() | {"sRGB"}:
                     self.report(f'image "{image.name}": the colour space {space} is read as sRGB')
                 suffix = f".{tile}" if tile else ""
-                name = self.out.names.unique(image.name + suffix + (".data" if plain else ""))
-                # Values of a vector texture are not gamma corrected.
-                kind = "vector" if plain else "color"
+                name = self.out.names.unique(image.name + suffix)
                 self.out.add(f"{kind} texture {mi.quoted(name)} {mi.quoted(path)}\n")
             self._textures[key] = name
         return self._textures[key]
@@ -74,6 +84,28 @@ class Images:
             return None
         return self.save(image)
 
+    def with_alpha(self, image, path, coloured):
+        """The path of the image, or of a copy whose colours are multiplied by alpha, or divided.
+
+        Blender has the pixels of integer files with straight alpha and those of float files
+        multiplied by it.
+        """
+        if image.channels < 4 or image.alpha_mode in {"NONE", "CHANNEL_PACKED"} or \
+                image.is_float != coloured or not image.has_data and not image.size[0]:
+            return path
+        pixels = numpy.empty(len(image.pixels), numpy.float32)
+        image.pixels.foreach_get(pixels)
+        pixels = pixels.reshape(-1, 4)
+        alpha = pixels[:, 3:]
+        if len(pixels) == 0 or alpha.min() >= 1:
+            return path
+        if coloured:
+            numpy.divide(pixels[:, :3], alpha, out=pixels[:, :3], where=alpha > 1e-6)
+        else:
+            pixels[:, :3] *= alpha
+            pixels[:, 3] = 1
+        return self.save_pixels(image, pixels.ravel(), "colour" if coloured else "premultiplied")
+
     def save(self, image):
         """Saves the pixels with their values, once for each content."""
         digest = hashlib.blake2b(digest_size=8)
@@ -90,8 +122,13 @@ class Images:
                 return path
         pixels = numpy.empty(len(image.pixels), numpy.float32)
         image.pixels.foreach_get(pixels)
+        return self.save_pixels(image, pixels)
+
+    def save_pixels(self, image, pixels, kind="image"):
+        digest = hashlib.blake2b(digest_size=8)
+        digest.update(repr((image.name_full, tuple(image.size))).encode())
         digest.update(pixels.tobytes())
-        path = os.path.join(self.folder, f"image-{digest.hexdigest()}")
+        path = os.path.join(self.folder, f"{kind}-{digest.hexdigest()}")
         path += ".exr" if image.is_float else ".png"
         if os.path.exists(path):
             return path

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Lights, environment, focus and exposure of a dump; the inverse of lights.py and world.py."""
 import math
+import os
 
 import bpy
 import numpy
 from mathutils import Vector
+
+from . import lights, versions
 
 EXPOSURE_CONSTANT = 1.2  # of mia_exposure_photographic
 
@@ -51,6 +54,9 @@ def light(reader, source):
     if area and area["shape"] == "sphere" and area["numbers"]:
         made.shadow_soft_size = area["numbers"][0]
     set_energy(made, colour, math.pi)
+    if kind == "mib_light_photometric" and with_profile(reader, made, colour,
+                                                        parameters.get("profile", "")):
+        return made
     if kind != "physical_light":
         reader.report(f'light "{name}": {kind} is approximated by a physical light')
     if "spread" in source:
@@ -60,6 +66,23 @@ def light(reader, source):
         width = 1 - source["spread"]
         made.spot_blend = min(max((inner - source["spread"]) / width, 0), 1) if width > 0 else 0
     return made
+
+
+def with_profile(reader, made, colour, name):
+    """Gives a light the profile of an IES file, by the units of lights.photometric; False if there
+    is no such file."""
+    profiles = {p["name"]: p.get("file", "") for p in reader.dump.list("profiles")}
+    path = profiles.get(name, "") if isinstance(name, str) else ""
+    if not path.lower().endswith(".ies") or not os.path.isfile(path):
+        return False
+    set_energy(made, colour, lights.LUMENS_OF_WATT)
+    made.use_nodes = True
+    tree = made.node_tree
+    emission = next(n for n in tree.nodes if n.type == "EMISSION")
+    node = tree.nodes.new("ShaderNodeTexIES")
+    node.mode, node.filepath = "EXTERNAL", path
+    tree.links.new(node.outputs[0], emission.inputs["Strength"])
+    return True
 
 
 def set_shape(made, area):
@@ -177,7 +200,7 @@ def sky(reader, parameters, tree, background):
         node.sun_elevation = math.asin(max(-1, min(1, direction[2] / numpy.linalg.norm(direction))))
         node.sun_rotation = math.atan2(direction[0], direction[1])
         node.sun_disc = bool(suns)
-        node.dust_density = min(1.0 + float(parameters.get("haze", 0.0)) / 1.5, 10.0)
+        versions.set_sky_dust(node, min(1.0 + float(parameters.get("haze", 0.0)) / 1.5, 10.0))
     conversion = numbers(parameters.get("rgb_unit_conversion"), (1e-4,) * 3)
     background.inputs["Strength"].default_value = max(conversion) * math.pi * 683
     tree.links.new(node.outputs[0], background.inputs["Color"])

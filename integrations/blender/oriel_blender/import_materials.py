@@ -4,7 +4,7 @@ import os
 
 import bpy
 
-from . import microfacets, native, versions
+from . import native, versions
 
 NATIVE_OUTPUT = "Oriel Output"
 MATERIALS = {"mia_material", "mia_material_x", "mia_material_x_passes"}
@@ -15,7 +15,7 @@ FOLLOWED = {"mib_color_mix": ("color_base", "color_0"), "mib_color_average": ("i
 
 
 def roughness_of(gloss):
-    """The inverse of materials.gloss_of_roughness."""
+    """The inverse of surface.gloss_of_roughness."""
     return 0.0 if gloss >= 1 else min(2.0 ** (-1.5 - 7 * max(gloss, 0.0)), 1.0) ** 0.5
 
 
@@ -51,10 +51,17 @@ class MaterialReader:
         parameters = call["parameters"]
         if call["type"] == "mib_glossy_reflection" and isinstance(
                 parameters.get("base_material"), (str, dict)):
-            base = parameters["base_material"]
-            inner = self.dump.shader(base if isinstance(base, str) else base.get("shader", ""))
+            inner = self.inner(parameters, "base_material")
             if inner:
                 set_value(node, 1.0, "Coat Weight", "Clearcoat")
+                return self.principled(material, tree, node, inner)
+        if call["type"] == "oriel_plastic":
+            return self.plastic(material, tree, node, parameters)
+        if call["type"] == "mib_opacity" or call["type"] == "mib_color_mix" and \
+                parameters.get("mode_0") == 2:
+            inner = self.inner(parameters, "input" if call["type"] == "mib_opacity" else "color_base")
+            if inner:
+                self.beside(material, tree, node, call["type"], parameters)
                 return self.principled(material, tree, node, inner)
         if call["type"] not in MATERIALS:
             self.report(f'material "{material.name}": {call["type"]} is approximated')
@@ -76,8 +83,6 @@ class MaterialReader:
         default = (.5, .5, .5) if base == "diffuse" else (1, 1, 1)
         roughness = roughness_of(get("refl_gloss", 1.0))
         colour = parameters.get(base, default)
-        if base == "diffuse" and isinstance(colour, list) and not versions.principled_is_layered(node):
-            colour = [min(c / microfacets.diffuse_albedo(roughness), 1.0) for c in colour]
         self.colour(material, tree, node, colour, "Base Color")
         set_value(node, metallic, "Metallic")
         set_value(node, roughness, "Roughness")
@@ -100,6 +105,42 @@ class MaterialReader:
         if parameters.get("bump") or parameters.get("overall_bump"):
             self.report(f'material "{material.name}": bumps are kept in native nodes only')
         return None
+
+    def inner(self, parameters, name):
+        """The shader call that is connected to a parameter, or None."""
+        value = parameters.get(name)
+        return self.dump.shader(value if isinstance(value, str) else value.get("shader", "")) \
+            if isinstance(value, (str, dict)) else None
+
+    def beside(self, material, tree, node, kind, parameters):
+        """Opacity of a surface, or light that is added to it."""
+        if kind == "mib_opacity":
+            opacity = parameters.get("opacity")
+            if isinstance(opacity, dict):
+                self.link_image(material, tree, node, opacity, "Alpha")
+            elif isinstance(opacity, list) and opacity:
+                set_value(node, number(opacity[0], 1.0), "Alpha")
+            versions.show_alpha(material)
+            return
+        self.colour(material, tree, node, parameters.get("color_0"), "Emission Color", "Emission")
+        set_value(node, 1.0, "Emission Strength")
+
+    def plastic(self, material, tree, node, parameters):
+        """The inverse of layers.plastic."""
+        get = lambda name, default: number(parameters.get(name, default), default)
+        self.colour(material, tree, node, parameters.get("diffuse", [.5, .5, .5]), "Base Color")
+        if isinstance(parameters.get("roughness"), dict):
+            self.link_image(material, tree, node, parameters["roughness"], "Roughness")
+        else:
+            set_value(node, get("roughness", .5), "Roughness")
+        ior = max(get("ior", 1.5), 1.0)
+        f0 = ((ior - 1) / (ior + 1)) ** 2
+        if versions.principled_is_layered(node):
+            set_value(node, ior, "IOR")
+        else:
+            set_value(node, min(f0 / .08, 1.0), "Specular")
+        if parameters.get("bump"):
+            self.report(f'material "{material.name}": bumps are kept in native nodes only')
 
     def colour(self, material, tree, node, value, *names):
         if isinstance(value, dict):

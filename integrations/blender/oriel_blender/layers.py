@@ -2,10 +2,51 @@
 """Layers of Principled BSDF beside its lobes, volumes, and displacement as bump."""
 import math
 
-from . import mi, versions
+from . import arithmetic, mi, versions
 
 # Roughness and weight that come nearest to the sheen of Principled until 3.6.
 SHEEN_ROUGHNESS, SHEEN_WEIGHT = 0.2, 0.5
+MAX_ALPHA = 2 ** -1.5  # of refl_gloss 0
+
+
+def plastic(graph, surface, base, roughness, ior, layered):
+    """A surface without metal and transmission: facets that reflect by their own angle, and until
+    3.6 a diffuse lobe with retro-reflection."""
+    p = surface.parameters
+    values = dict(diffuse=base, retro_reflective=not layered, roughness=roughness, ior=ior,
+                  reflection_color=p["refl_color"], conserve=layered,
+                  albedo_0=p["brdf_0_degree_refl"], albedo_90=p["brdf_90_degree_refl"],
+                  albedo_curve=p["brdf_curve"])
+    if "overall_bump" in p:
+        values.update(bump=p["overall_bump"], bump_mode=p["bump_mode"])
+    surface.shader = graph.add("surface", "oriel_plastic", **values)
+    if "additional_color" in p:
+        surface.shader = graph.add("emission", "mib_color_mix", num=1, mode_0=2, weight_0=1.0,
+                                   color_base=surface.shader, color_0=p["additional_color"])
+
+
+def rough_reflection(graph, surface, roughness, layered):
+    """Reflections that are rougher than those of mia_material_x, as a layer of their own."""
+    p = surface.parameters
+    linked = isinstance(roughness, mi.Connection)
+    if not p["reflectivity"] or p.get("transparency") or "anisotropy" in p or \
+            not linked and roughness ** 2 <= MAX_ALPHA:
+        return
+    if "overall_bump" in p:  # the layer has no bump
+        return
+    spread = graph.curve(roughness, lambda r: max(r, 0.0) ** 2)
+    layer = dict(reflection_color=p["refl_color"], reflection_base_weight=p["brdf_0_degree_refl"],
+                 reflection_edge_weight=p["brdf_90_degree_refl"], edge_factor=p["brdf_curve"],
+                 single_env_sample=False, u_spread=spread, v_spread=spread)
+    p["reflectivity"] = 0.0
+    base = graph.add("surface", "mia_material_x", **p)
+    if layered:
+        surface.shader = graph.add("rough", "mib_glossy_reflection", base_material=str(base),
+                                   **layer)
+        return
+    rough = graph.add("rough", "mib_glossy_reflection", **layer)
+    surface.shader = graph.add("rough_sum", "mib_color_mix", num=1, mode_0=2, weight_0=1.0,
+                               color_base=base, color_0=rough)
 
 
 def subsurface(graph, read, surface, layered):
@@ -128,17 +169,29 @@ def medium_of(graph, node):
     return None
 
 
-def displacement(graph, socket, material, surface, bump):
-    """Displacement as bump: the silhouette stays."""
+def displacement(graph, socket, material):
+    """Statements of a displacement of vertices. Otherwise it becomes the bump of the surfaces."""
     found = graph.origin(socket)
     node = found[0] if found else None
     if node is None or getattr(node, "type", "") != "DISPLACEMENT":
         if node is not None and hasattr(node, "type"):
             graph.unsupported(node, "is unsupported as a displacement and ignored")
-        return
+        return ""
     if versions.displaces_vertices(material):
-        graph.unsupported(node, "is rendered as bump; the geometry stays")
-    if surface.shader is not None or {"overall_bump", "bump"} & set(surface.parameters):
-        graph.unsupported(node, "is ignored beside another bump, a normal map or layers")
-        return
-    bump(graph, node, surface.parameters)
+        return displaced(graph, node)
+    graph.displacement = node
+    return ""
+
+
+def displaced(graph, node):
+    """Moves the vertices of the mesh by (height - midlevel) scale along their normals."""
+    if getattr(node, "space", "OBJECT") != "OBJECT":
+        graph.unsupported(node, "displaces in world space, which is read as object space")
+    height, middle, scale = (graph.scalar(graph.value(node.inputs[k]))
+                             for k in ("Height", "Midlevel", "Scale"))
+    amount = arithmetic.operate(graph, "MULTIPLY",
+                                arithmetic.operate(graph, "SUBTRACT", height, middle), scale)
+    if not isinstance(amount, mi.Connection):
+        amount = graph.add("displacement", "oriel_math", operation=0, input1=(amount,) * 3,
+                           input2=(0.0,) * 3)
+    return f"  displace = {mi.quoted(amount)}\n"

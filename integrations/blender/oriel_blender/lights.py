@@ -10,6 +10,7 @@ from . import camera, mi, versions
 RAYS = {"visible_diffuse": "diffuse surfaces", "visible_glossy": "reflections",
         "visible_transmission": "refractions"}
 LUMENS_OF_WATT = 177.83  # of IES profiles in Cycles: the luminous efficacy of its white light
+PROFILE_ANGLES = 1801  # of profiles of area lights with spread and of spots
 SUN_DISTANCE = 1e5  # scene units; a scene of 100 units sees the disc under 0.06 degrees of parallax
 
 
@@ -101,7 +102,8 @@ def write(out, ob, light, name, matrix, motion, report, folder):
         if getattr(getattr(light, "cycles", None), "is_portal", False):
             body, unit = portal(light, matrix), camera.unscaled(matrix)
         else:
-            body = area(light, matrix, factor, getattr(ob, "visible_camera", True), report)
+            body = area(out, light, matrix, factor, getattr(ob, "visible_camera", True), report,
+                        folder)
             unit = camera.unscaled(matrix)
     else:
         body = point(out, light, factor, profile, getattr(ob, "visible_camera", True), report,
@@ -132,13 +134,55 @@ def sun(light, factor):
                     f"  disc 0 0 -1 {mi.number(radius)} visible off\n")
 
 
-def area(light, matrix, factor, visible, report):
+def profile_light(out, light, power, intensity, folder):
+    """A light whose intensity by the angle to its axis, for a power of 4 in every channel, is a
+    photometric profile."""
+    angles = [90.0 * (i / (PROFILE_ANGLES - 1)) for i in range(PROFILE_ANGLES)]
+    values = [1000 * intensity(math.radians(degrees)) for degrees in angles]
+    rows = ["IESNA:LM-63-1995", "TILT=NONE", f"1 -1 1 {len(angles)} 1 1 2 0 0 0", "1 1 0"]
+    for numbers in (angles, [0.0], values):
+        texts = [f"{v:.6g}" for v in numbers]
+        rows += [" ".join(texts[i:i + 10]) for i in range(0, len(texts), 10)]
+    path = write_profile(folder, "\n".join(rows) + "\n")
+    name = out.names.unique(light.name + ".profile")
+    out.add(f"lightprofile {mi.quoted(name)}\n  format ies\n  file {mi.quoted(path)}\n"
+            "end lightprofile\n")
+    return mi.call("mib_light_photometric", color=tuple(c / 4 / 1000 for c in power), shadow=True,
+                   profile=mi.Words(mi.quoted(name)))
+
+
+def spread_light(out, light, power, half, folder):
+    """The light of an area through a grid of slats: none beyond the half angle. Its intensity is
+    cos (tan half - tan) / (tan half - half) of that along the normal of an area that shines to the
+    whole side; both have the same power."""
+    reach = math.tan(half) - half
+    def intensity(angle):
+        return math.cos(angle) * (math.tan(half) - math.tan(angle)) / reach if angle < half else 0.0
+    return profile_light(out, light, power, intensity, folder)
+
+
+def cosine_spot(out, light, power, folder):
+    """A spot of Cycles until 3.4, whose intensity falls with the cosine to its axis."""
+    outer = math.cos(light.spot_size / 2)
+    blend = light.spot_blend * (1 - outer)
+    def intensity(angle):
+        cosine = math.cos(angle)
+        if cosine <= outer:
+            return 0.0
+        x = min((cosine - outer) / blend, 1.0) if blend > 0 else 1.0
+        return cosine * x * x * (3 - 2 * x)
+    return profile_light(out, light, power, intensity, folder)
+
+
+def area(out, light, matrix, factor, visible, report, folder):
     """An area light shines with P / (4 A) W/(m2 sr); a quarter of the power along its normal."""
     width, height, surface, scale = area_size(light, matrix)
-    if abs(getattr(light, "spread", math.pi) - math.pi) > 1e-3:
-        report(f'light "{light.name}": spread is unsupported; the light shines to the whole side')
     power = product(colour(light, 1.0), factor)
-    shader = mi.call("physical_light", color=power)
+    half = getattr(light, "spread", math.pi) / 2
+    if half < math.radians(89.9):
+        shader = spread_light(out, light, power, max(half, math.radians(.5)), folder)
+    else:
+        shader = mi.call("physical_light", color=power)
     width, height = width * scale[0], height * scale[1]
     seen = "on" if visible else "off"
     if light.shape in {"DISK", "ELLIPSE"}:
@@ -161,6 +205,8 @@ def point(out, light, factor, profile, visible, report, folder):
         parameters["cone"] = min(inner, 1.0)
         text = f"  direction 0 0 -1\n  spread {mi.number(math.cos(half))}\n"
     shader = mi.call_of("physical_light", parameters)
+    if light.type == "SPOT" and profile is None and versions.spots_have_cosine():
+        shader, text = cosine_spot(out, light, power, folder), ""
     if profile is not None:
         shader, text = photometric(out, light, power, profile, report, folder), ""
     if light.shadow_soft_size > 0 and profile is None:

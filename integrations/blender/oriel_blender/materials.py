@@ -2,51 +2,18 @@
 """Materials: surface nodes of Blender as mia_material_x."""
 import math
 
-from . import layers, mi, microfacets, nodes, versions, world as links
-
-MIN_ALPHA = 1e-5
-
-
-def gloss_of_roughness(roughness, sharpest=1.0):
-    """refl_gloss whose lobe has the width alpha = roughness^2: alpha = 2^(-1.5 - 7 gloss).
-
-    sharpest: the maximum; 1 is a mirror.
-    """
-    alpha = min(max(roughness, 0.0), 1.0) ** 2
-    if alpha < MIN_ALPHA:
-        return sharpest
-    return min(max(-(math.log2(alpha) + 1.5) / 7, 0.0), sharpest)
-
-
-def single_scattering(value, roughness, f0):
-    """Factor of the reflection for Cycles' GGX without multiple scattering."""
-    if isinstance(roughness, mi.Connection) or isinstance(f0, mi.Connection):
-        return value
-    lost = microfacets.lost_energy(round(max(roughness, 0.0) ** 2, 4))
-    return value / (1 + f0 * lost / (1 - lost))
-
-
-def f0_of_ior(ior):
-    return ((ior - 1) / (ior + 1)) ** 2
-
+from . import (arithmetic, closures, layers, mi, microfacets, nodes, variants, versions,
+               world as links)
+from .surface import Surface, f0_of_ior, gloss_of_roughness, single_scattering
 
 def retro_reflective(graph, colour, roughness):
-    """The Lambertian colour with the albedo of the diffuse lobe of Principled until 3.6."""
-    if isinstance(colour, mi.Connection) or isinstance(roughness, mi.Connection):
-        return colour
-    albedo = microfacets.diffuse_albedo(roughness)
-    return tuple(min(c * albedo, max(c, 1.0)) for c in graph.colour(colour))
-
-
-class Surface:
-    """The result of a surface node: parameters of mia_material_x, or a finished shader."""
-
-    def __init__(self, **parameters):
-        self.parameters = parameters
-        self.shader = None      # connection to a shader that replaces the parameters
-        self.opacity = 1.0      # cutout
-        self.transmits = False
-        self.scattered = None   # connection to a shader whose light is added
+    """The Lambertian colour with the directional albedo of the diffuse lobe of Principled until
+    3.6."""
+    def part(i):
+        return graph.curve(roughness, lambda r: microfacets.diffuse_curve(round(r, 3))[i])
+    edge = graph.add("edge", "oriel_facing", mode=3)
+    albedo = arithmetic.operate(graph, "MULTIPLY_ADD", edge, part(1), part(0))
+    return graph.product(colour, albedo)
 
 
 class Principled:
@@ -80,44 +47,77 @@ class MaterialWriter:
         self.report = report
         self.spaces = [("uv", "")]
         self.sharpest = 1.0     # gloss of mirrors
+        self.shaders = {}       # material -> its surface shader
+        self._held_out = {}     # material -> that of its holdouts
         self._done = {}
+        self._needs = {}        # material -> values of objects that it reads
 
     def gloss(self, roughness):
         return gloss_of_roughness(roughness, self.sharpest)
 
-    def write(self, material):
-        """Returns the name of the material and the number of texture spaces that it reads."""
-        key = material.as_pointer() if material else 0
+    def wide_enough(self, roughness):
+        """The roughness, not below that of the sharpest lobe."""
+        if self.sharpest >= 1:
+            return roughness
+        return max(roughness, math.sqrt(2 ** (-1.5 - 7 * self.sharpest)))
+
+    def write(self, material, values_of=None):
+        """Returns the name of the material and the number of texture spaces that it reads.
+
+        values_of: function of the names of values of the object that the material needs.
+        """
+        pointer = material.as_pointer() if material else 0
+        if pointer not in self._needs:
+            tree = material.node_tree if material is not None and material.use_nodes else None
+            self._needs[pointer] = variants.needs(tree)
+        wanted = self._needs[pointer]
+        values = values_of(wanted) if wanted and values_of is not None else {}
+        key = pointer, tuple(sorted(values.items(), key=repr))
         if key not in self._done:
-            self._done[key] = self.make(material)
+            self._done[key] = self.make(material, values)
         return self._done[key]
 
-    def make(self, material):
+    def make(self, material, values):
         if material is None:
             name = self.out.names.unique("default")
-            self.finish(name, mi.call("mia_material_x", diffuse=(.8, .8, .8), reflectivity=0.0,
-                                      diffuse_weight=1.0), False)
+            shader = self.out.shader_of("default", "mia_material_x", dict(
+                diffuse=(.8, .8, .8), reflectivity=0.0, diffuse_weight=1.0))
+            self.shaders[name] = shader
+            self.finish(name, "= " + mi.quoted(shader), False)
             return name, 0
         name = self.out.names.unique(material.name)
-        graph = nodes.Graph(self.out, self.images, material.name, self.report, self.spaces)
+        graph = nodes.Graph(self.out, self.images, material.name, self.report, self.spaces, values)
         volume = ""
         if not material.use_nodes or material.node_tree is None:
             surface = Surface(diffuse=tuple(material.diffuse_color)[:3], diffuse_weight=1.0,
                               reflectivity=0.0)
         else:
             output = self.output_of(material.node_tree)
-            surface = self.surface(graph, output.inputs["Surface"]) if output else Surface()
             if output and output.inputs["Displacement"].is_linked:
-                layers.displacement(graph, output.inputs["Displacement"], material, surface,
-                                    self.bump)
+                volume = layers.displacement(graph, output.inputs["Displacement"], material)
+            surface = self.surface(graph, output.inputs["Surface"]) if output else Surface()
             if output and output.inputs["Volume"].is_linked:
                 if not output.inputs["Surface"].is_linked:
                     surface.opacity = 0.0
-                volume = layers.volume(graph, output.inputs["Volume"], surface)
+                volume += layers.volume(graph, output.inputs["Volume"], surface)
         shader = self.shader_of(graph, surface)
+        self.shaders[name] = shader
         self.finish(name, "= " + mi.quoted(shader),
                     surface.transmits or surface.opacity != 1.0, volume)
         return name, graph.used
+
+    def held_out(self, name):
+        """The name of a material that is black for the camera and as another one for other rays."""
+        wanted = name + ".holdout"
+        if wanted not in self._held_out:
+            surface = self.shaders[name]
+            switch = self.out.shader_of(wanted, "mip_rayswitch", {
+                **{kind: surface for kind in ("reflection", "refraction", "finalgather", "shadow",
+                                              "environment", "photon", "default")},
+                "eye": (0.0, 0.0, 0.0), "transparent": (0.0, 0.0, 0.0)})
+            self._held_out[wanted] = self.out.names.unique(wanted)
+            self.finish(self._held_out[wanted], "= " + mi.quoted(switch), False)
+        return self._held_out[wanted]
 
     @staticmethod
     def output_of(tree):
@@ -138,11 +138,20 @@ class MaterialWriter:
 
     def shader_of(self, graph, surface):
         """The named shader of a surface."""
+        if surface.shader is None and surface.scattered is None and surface.opacity != 1.0:
+            surface.parameters["cutout_opacity"] = surface.opacity
+            return self.opaque_shader(graph, surface)
+        shader = self.opaque_shader(graph, surface)
+        if surface.opacity == 1.0:
+            return shader
+        return graph.add("opacity", "mib_opacity", input=shader,
+                         opacity=graph.colour(surface.opacity))
+
+    def opaque_shader(self, graph, surface):
+        """The named shader of a surface without its cut-outs."""
         if surface.shader:
             return surface.shader
         parameters = {"diffuse_weight": 1.0, "reflectivity": 0.0, **surface.parameters}
-        if surface.opacity != 1.0:
-            parameters["cutout_opacity"] = surface.opacity
         shader = self.out.shader_of(graph.material + ".surface", "mia_material_x", parameters)
         return layers.add_scattered(graph, surface, shader)
 
@@ -172,8 +181,12 @@ class MaterialWriter:
         socket = node.inputs.get(name)
         found = graph.origin(socket) if socket else None
         if found is None or found[0] is nodes.CONSTANT:
+            if graph.displacement is not None:
+                self.bump(graph, graph.displacement, parameters)
             return
         source = found[0]
+        if graph.displacement is not None:
+            graph.unsupported(graph.displacement, "is ignored beside another bump or a normal map")
         if source.type == "NORMAL_MAP":
             self.normal_map(graph, source, parameters)
         elif source.type == "BUMP":
@@ -200,29 +213,27 @@ class MaterialWriter:
         parameters["bump_mode"] = 5
 
     def bump(self, graph, node, parameters):
-        found = graph.origin(node.inputs["Height"])
-        if found is None or found[0] is nodes.CONSTANT:
-            return
-        image = found[0]
-        if image.type != "TEX_IMAGE":
-            graph.unsupported(node, "is read only with an image and ignored")
-            return
-        texture = graph.images.texture(image.image, graph.material, image.name)
+        """Bump of a Bump or Displacement node; heights are in scene units along the surface."""
         displaces = node.type == "DISPLACEMENT"
-        strength = 1.0 if displaces else graph.value(node.inputs["Strength"])
-        distance = graph.value(node.inputs["Scale" if displaces else "Distance"])
-        if texture is None or any(isinstance(v, mi.Connection) for v in (strength, distance)):
+        height = graph.scalar(graph.value(node.inputs["Height"]))
+        if not isinstance(height, mi.Connection):
             return
+        strength = 1.0 if displaces else graph.scalar(graph.value(node.inputs["Strength"]))
+        distance = graph.scalar(graph.value(node.inputs["Scale" if displaces else "Distance"]))
+        if any(isinstance(v, mi.Connection) for v in (strength, distance)):
+            graph.unsupported(node, "has a linked strength or distance and is ignored")
+            return
+        if not displaces and node.inputs["Normal"].is_linked:
+            graph.unsupported(node, "has a linked normal, which is ignored")
         sign = -1.0 if getattr(node, "invert", False) else 1.0
-        graph.space("uv", "")
-        graph.unsupported(node, "is approximated: its distance is relative to the size of the image")
-        parameters["bump"] = graph.add("bump", "mib_bump_map2", factor=sign * strength * distance,
-                                       scale=1.0, tex=mi.Words(mi.quoted(texture)))
-        parameters["bump_mode"] = 0
+        graph.space("uv", "")  # its derivatives are the directions of the slopes
+        parameters["overall_bump"] = graph.add("bump", "maya_bump2d", bumpValue=height,
+                                               bumpDepth=sign * strength * distance)
+        parameters["bump_mode"] = 8
 
     def principled(self, graph, node):
         read = Principled(graph, node)
-        base = graph.colour(read.get("Base Color"))
+        base = arithmetic.not_negative(graph, graph.colour(read.get("Base Color")))
         metallic = graph.scalar(read.get("Metallic"))
         transmission = read.number("Transmission Weight", "Transmission")
         ior = read.number("IOR", default=1.45)
@@ -237,16 +248,9 @@ class MaterialWriter:
         p["diffuse"] = base if layered else retro_reflective(graph, base, roughness)
         p["diffuse_weight"] = graph.affine(metallic, 1.0, 0.0)
         self.reflection(graph, p, metallic, f0, tint, base)
-        if getattr(node, "distribution", "") == "GGX" and not layered:
-            p["reflectivity"] = single_scattering(1.0, roughness, p["brdf_0_degree_refl"])
-        if not any(isinstance(v, mi.Connection) for v in (roughness, p["brdf_0_degree_refl"])):
-            single = getattr(node, "distribution", "") == "GGX"
-            bent = ior if layered else (1 + math.sqrt(f0)) / (1 - math.sqrt(min(f0, .99)))
-            p["brdf_0_degree_refl"], p["brdf_90_degree_refl"], p["brdf_curve"] = \
-                microfacets.reflectance_curve(round(roughness ** 2, 4),
-                                              round(p["brdf_0_degree_refl"], 5),
-                                              round(max(bent, 1.05), 4), single)
-            p["reflectivity"] = 1.0
+        bent = ior if layered else (1 + math.sqrt(f0)) / (1 - math.sqrt(min(f0, .99)))
+        self.reflectance(graph, p, roughness, metallic, f0, max(bent, 1.05),
+                         getattr(node, "distribution", "") == "GGX")
         if f0 <= 0 and metallic == 0.0:
             p["reflectivity"] = 0.0
         metal = not isinstance(metallic, mi.Connection) and metallic >= 1
@@ -262,9 +266,15 @@ class MaterialWriter:
         if isinstance(emission, mi.Connection) or max(emission) > 0:
             surface.parameters["additional_color"] = emission
         surface.opacity = graph.scalar(read.get("Alpha", default=1.0))
+        if metallic == 0.0 and not surface.transmits and "anisotropy" not in surface.parameters \
+                and not read.number("Subsurface Weight", "Subsurface"):
+            layers.plastic(graph, surface, base, graph.curve(roughness, self.wide_enough) if f0 > 0
+                           else roughness, bent if f0 > 0 else 1.0, layered)
+        else:
+            layers.rough_reflection(graph, surface, roughness, layered)
         layers.subsurface(graph, read, surface, layered)
         self.coat(graph, read, surface, layered)
-        layers.sheen(graph, read, base, surface, layered, self.shader_of)
+        layers.sheen(graph, read, base, surface, layered, self.opaque_shader)
         return surface
 
     @staticmethod
@@ -279,6 +289,22 @@ class MaterialWriter:
         peak = min(max(facing), 1.0)
         p["brdf_0_degree_refl"] = peak
         p["refl_color"] = tuple(c / peak for c in facing) if peak > 0 else (1.0, 1.0, 1.0)
+
+    @staticmethod
+    def reflectance(graph, p, roughness, metallic, f0, ior, single):
+        """The curve of the reflectance; of linked values, tables and mixtures of curves."""
+        def curve(facing, i):
+            return graph.curve(roughness, lambda r: microfacets.reflectance_curve(
+                round(max(r, 0.0) ** 2, 4), round(facing, 5), round(ior, 4), single)[i])
+        names = ("brdf_0_degree_refl", "brdf_90_degree_refl", "brdf_curve")
+        facing = p[names[0]]
+        for i, name in enumerate(names):
+            if not isinstance(facing, mi.Connection):
+                p[name] = curve(facing, i)
+            elif name == "brdf_curve":
+                p[name] = curve(min(f0, 1.0), i)
+            else:
+                p[name] = graph.blend(metallic, curve(min(f0, 1.0), i), curve(1.0, i))
 
     @staticmethod
     def tint(graph, read, base, layered):
@@ -326,101 +352,59 @@ class MaterialWriter:
         # The clear coat of Principled until 3.6 has a quarter of the reflectance and is added.
         strength = weight if layered else weight * 0.25
         ior = read.number("Coat IOR", default=1.5)
-        base = self.shader_of(graph, surface)
+        base = self.opaque_shader(graph, surface)
         layer = dict(base_material=str(base), reflection_color=(1.0, 1.0, 1.0), edge_factor=5.0,
                      reflection_base_weight=f0_of_ior(ior) * strength,
                      reflection_edge_weight=strength, single_env_sample=False, u_spread=spread,
                      v_spread=spread)
         surface.shader = graph.add("coat", "mib_glossy_reflection", **layer)
 
-    def diffuse(self, graph, node):
-        surface = Surface(diffuse=graph.colour(graph.value(node.inputs["Color"])))
-        rough = graph.value(node.inputs["Roughness"])
-        if rough:
-            surface.parameters["diffuse_roughness"] = rough
-        self.bumped(graph, node, surface.parameters)
-        return surface
-
-    def glossy(self, graph, node):
-        rough = graph.scalar(graph.value(node.inputs["Roughness"]))
-        if getattr(node, "distribution", "") == "SHARP":
-            rough = 0.0
-        single = getattr(node, "distribution", "") == "GGX"
-        weight = single_scattering(1.0, rough, 1.0) if single else 1.0
-        surface = Surface(diffuse_weight=0.0, reflectivity=weight, brdf_fresnel=False,
-                          brdf_0_degree_refl=1.0, brdf_90_degree_refl=1.0, diffuse=(0.0, 0.0, 0.0),
-                          refl_color=graph.colour(graph.value(node.inputs["Color"])),
-                          refl_gloss=graph.curve(rough, self.gloss))
-        self.bumped(graph, node, surface.parameters)
-        return surface
-
-    def glass(self, graph, node):
-        rough = graph.scalar(graph.value(node.inputs["Roughness"]))
-        if getattr(node, "distribution", "") == "SHARP":
-            rough = 0.0
-        ior = graph.scalar(graph.value(node.inputs["IOR"]))
-        ior = 1.45 if isinstance(ior, mi.Connection) else ior
-        colour = graph.colour(graph.value(node.inputs["Color"]))
-        reflects = node.type == "BSDF_GLASS"
-        bending = math.sqrt(abs(1 - 1 / max(ior, 1.0001)) / 2)
-        surface = Surface(
-            diffuse_weight=0.0, diffuse=(0.0, 0.0, 0.0), reflectivity=1.0 if reflects else 0.0,
-            refl_color=colour, brdf_fresnel=True, refr_ior=ior, transparency=1.0, refr_color=colour,
-            refl_gloss=graph.curve(rough, self.gloss), thin_walled=False,
-            refr_gloss=graph.curve(rough, lambda r: self.gloss(r * math.sqrt(bending))),
-            skip_inside_refl=False, refl_depth=0, refr_depth=0)
-        surface.transmits = True
-        self.bumped(graph, node, surface.parameters)
-        return surface
-
-    def transparent(self, graph, node):
-        colour = graph.value(node.inputs["Color"])
-        if colour == (1.0, 1.0, 1.0):
-            surface = Surface(diffuse_weight=0.0)
-            surface.opacity = 0.0
-            return surface
-        surface = Surface(diffuse_weight=0.0, reflectivity=0.0, transparency=1.0, thin_walled=True,
-                          refr_color=graph.colour(colour), refr_ior=1.0)
-        surface.transmits = True
-        return surface
-
-    def translucent(self, graph, node):
-        surface = Surface(diffuse=(0.0, 0.0, 0.0), transparency=1.0, refr_translucency=True,
-                          refr_trans_weight=1.0, thin_walled=True,
-                          refr_trans_color=graph.colour(graph.value(node.inputs["Color"])))
-        surface.transmits = True
-        return surface
-
-    def emission(self, graph, node):
-        light = graph.product(graph.colour(graph.value(node.inputs["Color"])),
-                              graph.scalar(graph.value(node.inputs["Strength"])))
-        return Surface(diffuse_weight=0.0, diffuse=(0.0, 0.0, 0.0), additional_color=light)
+    def parts(self, graph, node, inputs):
+        """The surfaces of the inputs of a node that combines them."""
+        graph.nested += 1
+        try:
+            return [self.surface(graph, node.inputs[i]) for i in inputs]
+        finally:
+            graph.nested -= 1
 
     def mix_shader(self, graph, node):
         factor = graph.scalar(graph.value(node.inputs[0]))
-        first, second = (self.surface(graph, node.inputs[i]) for i in (1, 2))
-        for a, b, opacity in ((first, second, factor),
-                              (second, first, graph.affine(factor, 1.0, 0.0))):
-            if a.shader is None and a.opacity == 0.0:  # transparent: the other one with a cut-out
-                if b.shader is None and b.opacity == 1.0:
-                    b.opacity = opacity
-                    return b
-        if isinstance(factor, mi.Connection) and node.inputs[0].links[0].from_node.type in \
-                {"FRESNEL", "LAYER_WEIGHT"}:
-            graph.unsupported(node.inputs[0].links[0].from_node)
-        if not isinstance(factor, mi.Connection) and factor in (0.0, 1.0):
-            return second if factor else first
-        names = [self.shader_of(graph, s) for s in (first, second)]
+        first, second = self.parts(graph, node, (1, 2))
+        if not isinstance(factor, mi.Connection) and factor <= 0.0:
+            return first
+        if not isinstance(factor, mi.Connection) and factor >= 1.0:
+            return second
+        # The rest of the surface is transparent; what is left is mixed by what there is of both.
+        opacity = first.opacity if first.opacity == second.opacity else \
+            graph.blend(factor, first.opacity, second.opacity)
+        if self.is_nothing(first) or self.is_nothing(second):
+            rest = second if self.is_nothing(first) else first
+            rest.opacity = opacity
+            return rest
+        if first.opacity != second.opacity:
+            share = arithmetic.operate(graph, "MULTIPLY", factor, second.opacity)
+            factor = arithmetic.operate(graph, "DIVIDE", share, opacity)
+        names = [self.opaque_shader(graph, s) for s in (first, second)]
         surface = Surface()
         surface.shader = graph.add("mix", "mib_color_mix", num=1, mode_0=1, weight_0=factor,
                                    color_base=names[0], color_0=names[1])
-        surface.transmits = any(s.transmits or s.opacity != 1.0 for s in (first, second))
+        surface.opacity = opacity
+        surface.transmits = first.transmits or second.transmits
         return surface
 
+    @staticmethod
+    def is_nothing(surface):
+        return surface.shader is None and not isinstance(surface.opacity, mi.Connection) and \
+            surface.opacity == 0.0
+
     def add_shader(self, graph, node):
-        first, second = (self.surface(graph, node.inputs[i]) for i in (0, 1))
-        names = [self.shader_of(graph, s) for s in (first, second)]
+        first, second = self.parts(graph, node, (0, 1))
+        names = [self.opaque_shader(graph, s) for s in (first, second)]
         surface = Surface()
+        if self.is_nothing(first) or self.is_nothing(second):
+            # Light beside a transparent surface.
+            graph.unsupported(node, "adds light to a transparent surface, which hides what is "
+                                    "behind it")
         surface.shader = graph.add("add", "mib_color_mix", num=1, mode_0=2, weight_0=1.0,
                                    color_base=names[0], color_0=names[1])
         surface.transmits = first.transmits or second.transmits
@@ -428,9 +412,6 @@ class MaterialWriter:
 
 
 SURFACES = {
-    "BSDF_PRINCIPLED": MaterialWriter.principled, "BSDF_DIFFUSE": MaterialWriter.diffuse,
-    "BSDF_GLOSSY": MaterialWriter.glossy, "BSDF_GLASS": MaterialWriter.glass,
-    "BSDF_REFRACTION": MaterialWriter.glass, "BSDF_TRANSPARENT": MaterialWriter.transparent,
-    "BSDF_TRANSLUCENT": MaterialWriter.translucent, "EMISSION": MaterialWriter.emission,
+    **closures.SURFACES, "BSDF_PRINCIPLED": MaterialWriter.principled,
     "MIX_SHADER": MaterialWriter.mix_shader, "ADD_SHADER": MaterialWriter.add_shader,
 }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The hash of Cryptomatte: MurmurHash3 of 32 bits."""
+import struct
 
 MASK = 0xFFFFFFFF
 
@@ -23,6 +24,15 @@ def murmur3(text):
     h = (h ^ h >> 16) * 0x85EBCA6B & MASK
     h = (h ^ h >> 13) * 0xC2B2AE35 & MASK
     return h ^ h >> 16
+
+
+def value(name):
+    """The number of a name in the layers: its hash as the bits of a finite number."""
+    bits = murmur3(name)
+    exponent = bits >> 23 & 255
+    if exponent in (0, 255):
+        bits ^= 1 << 23
+    return struct.unpack("<f", struct.pack("<I", bits))[0]
 
 
 def identifier(layer):

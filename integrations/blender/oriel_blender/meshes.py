@@ -31,19 +31,37 @@ class MeshData:
                 *([] if motion is None else [motion])]
 
 
+# Members of attribute values and the number of their components.
+ATTRIBUTES = {"FLOAT": ("value", 1), "INT": ("value", 1), "INT8": ("value", 1),
+              "BOOLEAN": ("value", 1), "FLOAT_VECTOR": ("vector", 3), "FLOAT2": ("vector", 2),
+              "FLOAT_COLOR": ("color", 4), "BYTE_COLOR": ("color", 4)}
+
+
 def colour_layer(mesh, name):
-    """Linear vertex colours of the corners by attribute name; None if there are none."""
-    layer = mesh.color_attributes.get(name) if name else mesh.color_attributes.active_color
-    if layer is None or not len(layer.data):
+    """Linear vertex colours, or values of another attribute, of the corners by name; None if there
+    are none."""
+    layer = mesh.attributes.get(name) if name else mesh.color_attributes.active_color
+    if layer is None or not len(layer.data) or layer.data_type not in ATTRIBUTES:
         return None
-    colours = numpy.empty(len(layer.data) * 4, numpy.float32)
-    layer.data.foreach_get("color", colours)
-    colours = colours.reshape(-1, 4)[:, :3]
+    member, width = ATTRIBUTES[layer.data_type]
+    kind = {"INT": numpy.int32, "INT8": numpy.int32, "BOOLEAN": bool}.get(layer.data_type,
+                                                                         numpy.float32)
+    values = numpy.empty(len(layer.data) * width, kind)
+    layer.data.foreach_get(member, values)
+    values = values.reshape(-1, width).astype(numpy.float32)[:, :3]
+    if width == 1:
+        values = numpy.repeat(values, 3, axis=1)
+    elif width == 2:
+        values = numpy.pad(values, ((0, 0), (0, 1)))
     if layer.domain == "CORNER":
-        return colours
+        return values
+    if layer.domain == "FACE":
+        return numpy.repeat(values, versions.face_sizes(mesh), axis=0)
+    if layer.domain != "POINT":
+        return None
     corners = numpy.empty(len(mesh.loops), numpy.int32)
     mesh.loops.foreach_get("vertex_index", corners)
-    return colours[corners]
+    return values[corners]
 
 
 def points_of(mesh):
@@ -77,10 +95,10 @@ def read(mesh, spaces=()):
 
 
 def space_values(mesh, kind, name):
-    """Coordinates of the corners. Missing layers are zero, missing colours white."""
+    """Coordinates of the corners. Missing layers and attributes are zero."""
     if kind == "colour":
         colours = colour_layer(mesh, name)
-        return numpy.ones((len(mesh.loops), 3), numpy.float32) if colours is None else colours
+        return numpy.zeros((len(mesh.loops), 3), numpy.float32) if colours is None else colours
     layer = mesh.uv_layers.get(name) if name else None
     if layer is None:
         layer = next((l for l in mesh.uv_layers if l.active_render), None)

@@ -53,9 +53,33 @@ def reflected(mu, alpha, ior):
     return ratio.mean(axis=1), (ratio * rise).mean(axis=1)
 
 
-def diffuse_albedo(roughness):
-    """Albedo of the white diffuse lobe of Principled until 3.6 (Burley 2012), over both directions."""
-    return 0.9536 + roughness * (0.1076 + 0.0034 * roughness)
+def burley(view, light, half, roughness):
+    """The diffuse lobe of Principled until 3.6, times pi. half: cosine between light and view.
+
+    Source: Burley, "Physically-Based Shading at Disney", 2012.
+    """
+    at_view, at_light = (1 - view) ** 5, (1 - light) ** 5
+    retro = roughness * (1 + half)
+    return (1 - at_view / 2) * (1 - at_light / 2) + \
+        retro * (at_view + at_light + at_view * at_light * (retro - 1))
+
+
+def burley_albedo(view, roughness, count=48):
+    """Its directional albedo: the integral over directions of light, by the midpoint rule."""
+    steps = (numpy.arange(count) + .5) / count
+    light, turn = numpy.meshgrid(steps, steps * numpy.pi, indexing="ij")
+    half = light * view + numpy.sqrt((1 - light ** 2) * (1 - view ** 2)) * numpy.cos(turn)
+    return float((burley(view, light, half, roughness) * light).mean() * 2)
+
+
+@functools.lru_cache(maxsize=64)
+def diffuse_curve(roughness):
+    """a and b of a + b (1 - cosine)^5, which is nearest to the directional albedo by view."""
+    views = (numpy.arange(16) + .5) / 16
+    albedo = numpy.array([burley_albedo(view, roughness) for view in views])
+    columns = numpy.stack([numpy.ones_like(views), (1 - views) ** 5], axis=1) / albedo[:, None]
+    a, b = numpy.linalg.lstsq(columns, numpy.ones_like(views), rcond=None)[0]
+    return float(a), float(b)
 
 
 @functools.lru_cache(maxsize=64)

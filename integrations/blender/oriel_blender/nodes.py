@@ -2,7 +2,7 @@
 """Values of node sockets: constants, or shaders of the base library that compute them."""
 import numpy
 
-from . import mi, world as links
+from . import arithmetic, mi, world as links
 
 CONSTANT = object()
 
@@ -10,13 +10,17 @@ CONSTANT = object()
 class Graph:
     """Translates the node trees of one material. Unsupported nodes are reported once each."""
 
-    def __init__(self, out, images, material, report, spaces):
+    def __init__(self, out, images, material, report, spaces, values=None):
         self.out = out
         self.images = images
         self.material = material
         self.report = report
         self.spaces = spaces    # of the whole scene: ("uv", layer) or ("colour", attribute)
+        self.displacement = None  # node of a displacement that is rendered as bump
+        self.nested = 0         # depth inside of mixed and added surfaces
         self.used = 0           # number of texture spaces that the mesh must have
+        self.values = values or {}  # of the object, by the names of variants.needs()
+        self.signed = set()     # connections whose values can be negative
         self._cache = {}
         self._groups = []       # group nodes around the current tree
 
@@ -92,7 +96,11 @@ class Graph:
             if key not in self._cache:
                 self._cache[key] = self.constant(socket)  # ends cycles
                 self._cache[key] = self.translate(node, output, socket)
-            return self._cache[key]
+            if socket.type != "VALUE" or output.type != "RGBA":
+                return self._cache[key]
+            if ("grey", key) not in self._cache:
+                self._cache["grey", key] = arithmetic.luminance(self, self._cache[key])
+            return self._cache["grey", key]
         finally:
             self._groups = groups
 
@@ -174,49 +182,105 @@ class Graph:
                 return a
             if factor >= 1:
                 return b
+            if not any(isinstance(v, (mi.Connection, tuple)) for v in (a, b)):
+                return a + (b - a) * factor
             if not isinstance(a, mi.Connection) and not isinstance(b, mi.Connection):
                 return tuple(x + (y - x) * factor for x, y in zip(self.colour(a), self.colour(b)))
         return self.mix("mix", 1, factor, a, b)
 
     # Nodes ------------------------------------------------------------------------------------
     def coordinate(self, socket, generated="uv"):
-        """A texture coordinate: a connection to a vector."""
+        """A texture coordinate: a connection to a vector.
+
+        generated: what an unlinked socket has, "uv" or "generated".
+        """
         found = self.origin(socket)
         if found is None or found[0] is CONSTANT:
             if generated == "uv":
-                return self.add("uv", "mib_texture_vector", select=self.space("uv", ""), selspace=1)
-            return self.add("point", "mib_texture_vector", select=-1, selspace=1)
+                return self.uv("")
+            return self.generated()
         node, output = found
         groups = list(self._groups)
         try:
-            result = self.coordinate_of(node, output)
+            return self.coordinate_of(node, output)
         finally:
             self._groups = groups
-        return result
+
+    def uv(self, name):
+        return self.add("uv", "mib_texture_vector", select=self.space("uv", name), selspace=1)
+
+    def generated(self):
+        """Coordinates that are 0 to 1 in the box of the object."""
+        point = self.add("point", "mib_texture_vector", select=-1, selspace=1)
+        if "Generated" not in self.values:
+            return point
+        corner, size = self.values["Generated"]
+        matrix = numpy.diag([*(1 / s for s in size), 1.0])
+        matrix[:3, 3] = [-c / s for c, s in zip(corner, size)]
+        return self.remapped("generated", point, matrix)
+
+    def remapped(self, suffix, coordinate, matrix):
+        return self.add(suffix, "mib_texture_remap", input=coordinate,
+                        transform=tuple(numpy.asarray(matrix).T.ravel()))
 
     def coordinate_of(self, node, output):
         if node.type == "UVMAP":
-            return self.add("uv", "mib_texture_vector", select=self.space("uv", node.uv_map),
-                            selspace=1)
+            return self.uv(node.uv_map)
         if node.type == "TEX_COORD":
-            name = output.identifier
-            if name == "UV":
-                return self.add("uv", "mib_texture_vector", select=self.space("uv", ""), selspace=1)
-            if name == "Normal":
-                return self.add("normal", "mib_texture_vector", select=-2, selspace=1)
-            if name == "Window":
-                return self.add("window", "mib_texture_vector", select=-1, selspace=4)
-            if name == "Generated":
-                self.unsupported(node, "has generated coordinates, which are read as object "
-                                       "coordinates")
-            return self.add("point", "mib_texture_vector", select=-1, selspace=1)
+            return self.texture_coordinate(node, output.identifier)
         if node.type == "NEW_GEOMETRY":
-            select = -2 if "ormal" in output.identifier else -1
-            return self.add("world_point", "mib_texture_vector", select=select, selspace=2)
+            return self.geometry(node, output)
         if node.type == "MAPPING":
             return self.mapping(node)
-        self.unsupported(node, "is unsupported as a coordinate and replaced by UV")
-        return self.add("uv", "mib_texture_vector", select=self.space("uv", ""), selspace=1)
+        method = TRANSLATORS.get(node.type)
+        result = method(self, node, output) if method else None
+        if result is None:
+            self.unsupported(node, "is unsupported as a coordinate and replaced by UV")
+            return self.uv("")
+        if isinstance(result, mi.Connection):
+            return result
+        return self.add("constant", "oriel_math", operation=0, input1=self.colour(result),
+                        input2=(0.0,) * 3)
+
+    def texture_coordinate(self, node, name):
+        if name == "UV":
+            return self.uv("")
+        if name == "Generated":
+            return self.generated()
+        if name == "Normal":
+            return self.add("normal", "mib_texture_vector", select=-2, selspace=1)
+        if name == "Window":
+            return self.add("window", "mib_texture_vector", select=-1, selspace=4)
+        if name == "Object" and node.object is not None:
+            inverse = numpy.linalg.inv(numpy.array(node.object.matrix_world, numpy.float64))
+            world = self.add("world_point", "mib_texture_vector", select=-1, selspace=2)
+            return self.remapped("object_point", world, inverse)
+        if name in {"Camera", "Reflection"}:
+            self.unsupported(node, f"has {name.lower()} coordinates, which are read as object "
+                                   "coordinates")
+        return self.add("point", "mib_texture_vector", select=-1, selspace=1)
+
+    def geometry(self, node, output):
+        name = output.identifier
+        if name == "Backfacing":
+            return self.add("facing", "oriel_facing", mode=4)
+        if name not in {"Position", "Normal", "True Normal"}:
+            return None
+        return self.add("world_point", "mib_texture_vector", select=-2 if "ormal" in name else -1,
+                        selspace=2)
+
+    def object_info(self, node, output):
+        return self.values.get(output.name)
+
+    def light_path(self, node, output):
+        """1 for the rays of an output, else 0."""
+        kinds = {"Is Camera Ray": ("eye", "transparent"), "Is Shadow Ray": ("shadow",),
+                 "Is Diffuse Ray": ("finalgather",), "Is Glossy Ray": ("reflection",),
+                 "Is Reflection Ray": ("reflection", "finalgather"),
+                 "Is Transmission Ray": ("refraction",)}.get(output.identifier)
+        if kinds is None:
+            return None
+        return self.add("rays", "mip_rayswitch", **{kind: (1.0,) * 3 for kind in kinds})
 
     def mapping(self, node):
         inner = self.coordinate(node.inputs["Vector"])
@@ -228,7 +292,10 @@ class Graph:
                         transform=tuple(matrix.T.ravel()))
 
     def image(self, node, output):
-        tiles = [(tile, self.images.texture(node.image, self.material, node.name, tile=tile))
+        # Without the alpha Cycles reads colours that are multiplied by it.
+        alpha = any(o.is_linked for o in node.outputs if o.identifier == "Alpha")
+        tiles = [(tile, self.images.texture(node.image, self.material, node.name, tile=tile,
+                                            coloured=alpha))
                  for tile in self.images.tiles(node.image)]
         tiles = [(tile, texture) for tile, texture in tiles if texture is not None]
         if not tiles:
@@ -241,6 +308,12 @@ class Graph:
         if node.extension == "REPEAT":
             coordinate = self.add("repeat", "mib_texture_remap", input=coordinate, torus_x=True,
                                   torus_y=True)
+        elif node.extension == "EXTEND":
+            half = tuple(.5 / max(n, 1) for n in node.image.size) + (0.0,)
+            low = arithmetic.operate(self, "MAXIMUM", coordinate, half)
+            coordinate = arithmetic.operate(self, "MINIMUM", low, tuple(1 - h for h in half))
+        elif node.extension == "MIRROR":
+            coordinate = arithmetic.operate(self, "PINGPONG", coordinate, 1.0)
         elif node.extension != "CLIP":
             self.unsupported(node, f"has the extension {node.extension}, which is read as clip")
         return self.look(node, output, tiles[0][1], coordinate)
@@ -250,6 +323,8 @@ class Graph:
                         coord=coordinate)
         if output.identifier == "Alpha":
             return self.add("alpha", "mib_color_alpha", input=look, factor=1.0)
+        if self.images.is_encoded(node.image):
+            return arithmetic.operate(self, "SRGB_OF_GAMMA", look)
         return look
 
     def tiled(self, node, output, tiles, coordinate):
@@ -264,84 +339,12 @@ class Graph:
             total = look if total is None else self.mix("tiles", 2, 1.0, total, look)
         return total
 
-    def mix_rgb(self, node, output):
-        if node.type == "MIX":  # from 3.4
-            kind = node.data_type
-            names = {"FLOAT": "Float", "VECTOR": "Vector", "RGBA": "Color"}[kind]
-            inputs = {s.identifier: s for s in node.inputs}
-            factor = self.scalar(self.value(inputs["Factor_Float"]))
-            a, b = (self.value(inputs[f"{side}_{names}"]) for side in "AB")
-            blend = node.blend_type if kind == "RGBA" else "MIX"
-        else:
-            factor = self.scalar(self.value(node.inputs["Fac"]))
-            a, b = self.value(node.inputs["Color1"]), self.value(node.inputs["Color2"])
-            blend = node.blend_type
-        if blend == "MIX":
-            return self.blend(factor, a, b)
-        if blend == "MULTIPLY":
-            return self.blend(factor, a, self.product(a, b))
-        if blend == "ADD":
-            return self.mix("add", 2, factor, a, b)
-        self.unsupported(node, f"has the blending mode {blend}, which is replaced by mix")
-        return self.blend(factor, a, b)
-
-    def ramp(self, node, output):
-        elements = list(node.color_ramp.elements)
-        value = self.scalar_input(node.inputs["Fac"])
-        if not isinstance(value, mi.Connection):
-            rgba = node.color_ramp.evaluate(value)
-            return rgba[3] if output.identifier == "Alpha" else tuple(rgba)[:3]
-        positions = sorted({0.0, 1.0} | {e.position for e in elements})
-        if len(positions) > 8 or node.color_ramp.interpolation != "LINEAR":
-            positions = [i / 7 for i in range(8)]
-            if node.color_ramp.interpolation not in {"LINEAR", "EASE"}:
-                self.unsupported(node, "is read at eight positions")
-        table = {"input": value, "num": len(positions)}
-        for i, x in enumerate(positions):
-            rgba = node.color_ramp.evaluate(x)
-            if 0 < i < len(positions) - 1:
-                table[f"weight_{i}"] = x
-            table[f"color_{i}"] = (rgba[3],) * 3 if output.identifier == "Alpha" else tuple(rgba)[:3]
-        return self.out.shader_of(f"{self.material}.ramp", "mib_color_interpolate", table)
-
-    def scalar_input(self, socket):
-        value = self.value(socket)
-        if isinstance(value, mi.Connection):
-            return self.add("grey", "mib_color_intensity", input=value, factor=1.0)
-        return self.scalar(value)
-
-    def invert(self, node, output):
-        value, factor = self.value(node.inputs["Color"]), self.value(node.inputs["Fac"])
-        if isinstance(value, mi.Connection):
-            inverse = self.add("minus", "mib_color_mix", num=1, mode_0=2, weight_0=-1.0,
-                               color_0=value, color_base=(1.0, 1.0, 1.0))
-        else:
-            inverse = tuple(1 - c for c in self.colour(value))
-        return self.blend(self.scalar(factor), value, inverse)
-
-    def math(self, node, output):
-        values = [self.scalar(self.value(s)) for s in node.inputs[:2]]
-        if any(isinstance(v, mi.Connection) for v in values):
-            if node.operation == "MULTIPLY":
-                return self.product(*values)
-            if node.operation in {"ADD", "SUBTRACT"}:
-                sign = 1.0 if node.operation == "ADD" else -1.0
-                return self.mix("sum", 2, sign, values[0], values[1])
-            if node.operation == "POWER" and not isinstance(values[1], mi.Connection):
-                return self.curve(values[0], lambda x: max(x, 0.0) ** values[1])
-            return None
-        a, b = values
-        functions = {"ADD": lambda: a + b, "SUBTRACT": lambda: a - b, "MULTIPLY": lambda: a * b,
-                     "DIVIDE": lambda: a / b if b else 0.0, "POWER": lambda: abs(a) ** b,
-                     "MINIMUM": lambda: min(a, b), "MAXIMUM": lambda: max(a, b)}
-        return functions[node.operation]() if node.operation in functions else None
-
     def checker(self, node, output):
         scale = self.scalar(self.value(node.inputs["Scale"]))
         if isinstance(scale, mi.Connection):
             return None
         matrix = numpy.diag([scale / 2, scale / 2, scale / 2, 1.0])
-        point = self.coordinate(node.inputs["Vector"], "point")
+        point = self.coordinate(node.inputs["Vector"], "generated")
         wrapped = self.add("checks", "mib_texture_remap", input=point,
                            transform=tuple(matrix.ravel()), torus_x=True, torus_y=True,
                            torus_z=True)
@@ -361,7 +364,7 @@ class Graph:
         detail = self.scalar(self.value(node.inputs["Detail"]))
         detail = 2.0 if isinstance(detail, mi.Connection) else detail
         matrix = numpy.diag([scale, scale, scale, 1.0])
-        point = self.coordinate(node.inputs["Vector"], "point")
+        point = self.coordinate(node.inputs["Vector"], "generated")
         scaled = self.add("noise_scale", "mib_texture_remap", input=point,
                           transform=tuple(matrix.ravel()))
         return self.add("noise", "mib_texture_turbulence", coord=scaled, spacing=1.0, strength=1.0,
@@ -369,15 +372,17 @@ class Graph:
 
     def vertex_colour(self, node, output):
         name = getattr(node, "layer_name", "") or getattr(node, "attribute_name", "")
-        return self.add("vertex_colour", "oriel_vertex_color", color=(1.0, 1.0, 1.0),
-                        space=self.space("colour", name))
-
-    def separate(self, node, output):
-        value = self.value(node.inputs[0])
-        names = {"R": 0, "G": 1, "B": 2, "X": 0, "Y": 1, "Z": 2, "Red": 0, "Green": 1, "Blue": 2}
-        if getattr(node, "mode", "RGB") != "RGB" or output.identifier not in names:
+        if output.identifier == "Alpha":
             return None
-        return self.channel(value, names[output.identifier])
+        if ("attribute", name) in self.values:
+            value = self.values["attribute", name]
+            return value if output.identifier != "Fac" or not isinstance(value, tuple) else \
+                sum(value) / 3
+        colour = self.add("vertex_colour", "oriel_vertex_color", color=(1.0, 1.0, 1.0),
+                          space=self.space("colour", name))
+        if output.identifier == "Fac":
+            return self.add("mean", "mib_color_average", input=colour, factor=1.0)
+        return colour
 
     def rgb_constant(self, node, output):
         return self.constant(node.outputs[0])
@@ -386,18 +391,6 @@ class Graph:
         from . import lights
         kelvin = self.value(node.inputs[0])
         return None if isinstance(kelvin, mi.Connection) else lights.blackbody(kelvin)
-
-    def gamma(self, node, output):
-        value, power = self.value(node.inputs["Color"]), self.value(node.inputs["Gamma"])
-        if isinstance(value, mi.Connection) or isinstance(power, mi.Connection):
-            return None
-        return tuple(max(c, 0.0) ** power for c in self.colour(value))
-
-    def grey(self, node, output):
-        value = self.value(node.inputs[0])
-        if isinstance(value, mi.Connection):
-            return self.add("grey", "mib_color_intensity", input=value, factor=1.0)
-        return self.scalar(value)
 
 
 def mapping_matrix(node):
@@ -425,10 +418,11 @@ def mapping_matrix(node):
 
 
 TRANSLATORS = {
-    "TEX_IMAGE": Graph.image, "MIX_RGB": Graph.mix_rgb, "MIX": Graph.mix_rgb,
-    "VALTORGB": Graph.ramp, "INVERT": Graph.invert, "MATH": Graph.math,
-    "TEX_CHECKER": Graph.checker, "TEX_NOISE": Graph.noise, "VERTEX_COLOR": Graph.vertex_colour,
-    "ATTRIBUTE": Graph.vertex_colour, "SEPRGB": Graph.separate, "SEPARATE_COLOR": Graph.separate,
-    "SEPXYZ": Graph.separate, "RGB": Graph.rgb_constant, "VALUE": Graph.rgb_constant,
-    "BLACKBODY": Graph.blackbody_constant, "GAMMA": Graph.gamma, "RGBTOBW": Graph.grey,
+    **arithmetic.TRANSLATORS,
+    "TEX_IMAGE": Graph.image, "TEX_CHECKER": Graph.checker, "TEX_NOISE": Graph.noise,
+    "VERTEX_COLOR": Graph.vertex_colour, "ATTRIBUTE": Graph.vertex_colour,
+    "OBJECT_INFO": Graph.object_info, "LIGHT_PATH": Graph.light_path,
+    "TEX_COORD": Graph.coordinate_of, "UVMAP": Graph.coordinate_of,
+    "MAPPING": Graph.coordinate_of, "NEW_GEOMETRY": Graph.coordinate_of,
+    "RGB": Graph.rgb_constant, "VALUE": Graph.rgb_constant, "BLACKBODY": Graph.blackbody_constant,
 }

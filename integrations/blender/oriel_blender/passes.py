@@ -2,7 +2,7 @@
 """Passes: names and channels of Blender, and the layers of the EXR file that fill them."""
 import numpy
 
-from . import versions
+from . import mattes, versions
 
 RGB, XYZ = "RGB", "XYZ"
 
@@ -89,7 +89,7 @@ MATTES = (("use_pass_cryptomatte_object", "CryptoObject"),
           ("use_pass_cryptomatte_asset", "CryptoAsset"))
 
 
-def mattes(view_layer):
+def matte_names(view_layer):
     """Names of the Cryptomatte passes of a view layer."""
     count = (min(16, view_layer.pass_cryptomatte_depth) + 1) // 2
     return [f"{name}{i:02d}" for flag, name in MATTES if getattr(view_layer, flag)
@@ -102,7 +102,7 @@ def wanted(view_layer):
     settings = getattr(view_layer, "oriel", None)
     if settings:
         chosen += [p for p in EXTRA if getattr(settings, p.flag, False)]
-    chosen += [Pass(name, "", "rgba", "COLOR", layer(name, "rgba")) for name in mattes(view_layer)]
+    chosen += [Pass(name, "", "rgba", "COLOR", layer(name, "rgba")) for name in matte_names(view_layer)]
     for group in getattr(view_layer, "lightgroups", ()):
         name = f"Combined_{group.name}"
         chosen.append(Pass(name, "", RGB, "COLOR", layer(f"light_{group.name}")))
@@ -115,10 +115,10 @@ def register_all(engine, scene, view_layer):
         engine.register_pass(scene, view_layer, p.name, len(p.channels), p.channels.upper(), p.kind)
 
 
-def arguments(view_layer, denoise, transparent=False):
+def arguments(view_layer, denoise, coverage=False):
     """Arguments of `oriel render` for the passes of a view layer.
 
-    transparent: the film is transparent; mattes give its alpha.
+    coverage: mattes give the alpha.
     """
     chosen = wanted(view_layer)
     names = ["beauty", "depth", "normal", "albedo"]
@@ -133,21 +133,26 @@ def arguments(view_layer, denoise, transparent=False):
     if denoise:
         names += ["variance", "halves"]
     result = ["--layers", ",".join(dict.fromkeys(names))]
-    if mattes(view_layer) or transparent:
-        depth_used = view_layer.pass_cryptomatte_depth if mattes(view_layer) else 6
+    if matte_names(view_layer) or coverage:
+        depth_used = view_layer.pass_cryptomatte_depth if matte_names(view_layer) else 6
         result.append(f"--cryptomatte={depth_used}")
     return result
 
 
-def coverage(picture):
-    """Share of the camera paths of each pixel that hit an object: mattes without the id 0."""
+def coverage(picture, names=None):
+    """Share of the camera paths of each pixel that hit an object: mattes without the id 0.
+
+    names: count these objects only.
+    """
     covered = numpy.zeros((picture.size[0] * picture.size[1], 1), numpy.float32)
+    ids = None if names is None else numpy.array([mattes.value(n) for n in names], numpy.float32)
     rank = 0
     while f"CryptoObject{rank:02d}.r" in picture.channels:
         for identity, share in ("rg", "ba"):
-            names = [f"CryptoObject{rank:02d}.{c}" for c in (identity, share)]
-            pair = picture.stack(names)
-            covered[:, 0] += numpy.where(pair[:, 0] != 0, pair[:, 1], 0)
+            channels = [f"CryptoObject{rank:02d}.{c}" for c in (identity, share)]
+            pair = picture.stack(channels)
+            wanted = pair[:, 0] != 0 if ids is None else numpy.isin(pair[:, 0], ids)
+            covered[:, 0] += numpy.where(wanted, pair[:, 1], 0)
         rank += 1
     return numpy.clip(covered, 0, 1)
 

@@ -50,6 +50,13 @@ def triangle_polygons(mesh):
     return faces
 
 
+def face_sizes(mesh):
+    """Numbers of corners of the faces."""
+    sizes = numpy.empty(len(mesh.polygons), numpy.int32)
+    mesh.polygons.foreach_get("loop_total", sizes)
+    return sizes
+
+
 def set_corner_normals(mesh, normals):
     """Custom normals of the face corners. Removed functions are skipped."""
     if hasattr(mesh, "use_auto_smooth"):  # until 4.0
@@ -117,6 +124,33 @@ def light_temperature(light):
     if getattr(light, "use_temperature", False):
         return tuple(light.temperature_color)
     return (1.0, 1.0, 1.0)
+
+
+def shutter_position(scene):
+    """Place of the shutter around a frame: START, CENTER or END."""
+    owner = scene.render if hasattr(scene.render, "motion_blur_position") else \
+        getattr(scene, "cycles", None)  # of Cycles until 4.1
+    return getattr(owner, "motion_blur_position", "CENTER")
+
+
+def sky_dust(node):
+    """Density of dust of a sky texture; that of aerosols from 5.0."""
+    return getattr(node, "dust_density", getattr(node, "aerosol_density", 1.0))
+
+
+def set_sky_dust(node, density):
+    setattr(node, "dust_density" if hasattr(node, "dust_density") else "aerosol_density", density)
+
+
+def input_of(node, name):
+    """An input by name or identifier. Names have changed, such as Fac to Factor; identifiers stay."""
+    return next((s for s in node.inputs if name in (s.name, s.identifier)), None)
+
+
+def spots_have_cosine():
+    """Whether the light of spots in Cycles falls with the cosine to the axis. Measured with 3.4; the
+    sources of later versions have no such factor."""
+    return bpy.app.version < (3, 5, 0)
 
 
 def light_casts_shadow(light):

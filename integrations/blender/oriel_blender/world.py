@@ -4,7 +4,7 @@ import math
 
 import numpy
 
-from . import mi
+from . import arithmetic, mi, versions
 
 
 def output_node(tree, kind):
@@ -103,6 +103,9 @@ class WorldWriter:
                                  transform=tuple(matrix.ravel()))
         look = self.out.shader("world.picture", "mib_lookup_spherical", dir=turned,
                                tex=mi.Words(mi.quoted(texture)))
+        if self.images.is_encoded(node.image):
+            look = self.out.shader("world.decoded", "oriel_math", input1=look,
+                                   operation=arithmetic.OPERATIONS["SRGB_OF_GAMMA"])
         return self.scaled(look, strength)
 
     def scaled(self, look, strength):
@@ -118,7 +121,7 @@ class WorldWriter:
         else:
             direction = direction_of_sky(node.sun_rotation, node.sun_elevation)
             disc, size, intensity = node.sun_disc, node.sun_size, node.sun_intensity
-            haze = min(max(getattr(node, "dust_density", 1.0) - 1.0, 0.0) * 1.5, 15.0)
+            haze = min(max(versions.sky_dust(node) - 1.0, 0.0) * 1.5, 15.0)
         direction = tuple(self.rotation(world, node).T @ numpy.array(direction))
         return sun_and_sky(self.out, direction, haze, strength / 683.0, disc, size, intensity)
 

@@ -14,6 +14,7 @@
 
 #include "base/math.h"
 #include "models/gltf/plain_file.h"
+#include "models/gltf/scene_unit.h"
 #include "models/gltf/write_material.h"
 #include "models/import.h"
 #include "models/import_view.h"
@@ -67,7 +68,8 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(std::vector<std::uint32_t
 
 class Writer {
  public:
-  explicit Writer(const scene::Scene& scene) : scene_(scene), materials_(scene, file_) {}
+  explicit Writer(const scene::Scene& scene)
+      : scene_(scene), unit_(unit_of(scene)), materials_(scene, file_, unit_) {}
 
   std::string bytes(bool z_is_up, Diagnostics& diagnostics) {
     file_.root["asset"] = {{"version", "2.0"}, {"generator", "Oriel"}};
@@ -160,7 +162,7 @@ class Writer {
       if (a.name == "cone" && !n.empty()) inner = static_cast<float>(n[0]);
     }
     // A surface that faces a light of E lux shows E / pi; physical_light spreads over 4 pi.
-    color *= physical ? 1 / 4.0f : kPi;
+    color *= unit_ * (physical ? 1 / 4.0f : kPi);
     const float most = max_component(color);
     if (!(most > 0)) return false;
     if (light.area) notes_.insert("shapes of area lights");
@@ -272,6 +274,7 @@ class Writer {
   }
 
   const scene::Scene& scene_;
+  float unit_;  ///< cd/m2 of one pixel unit
   PlainFile file_;
   MaterialWriter materials_;
   json lights_ = json::array();

@@ -14,8 +14,8 @@ namespace oriel::models::gltf {
 ///
 /// Model:   polygons become triangles. mia_material and mia_material_x become metallic-roughness
 ///          materials, see write_material.h; other materials are grey. physical_light and
-///          mib_light_point and _spot become lights in candela, mib_light_infinite in lux, one
-///          unit of a pixel being 1 cd/m2.
+///          mib_light_point and _spot become lights in candela, mib_light_infinite in lux, and
+///          emission is in cd/m2, by the unit of the scene (scene_unit.h).
 ///          The same scene gives the same bytes.
 /// Inputs:  z_is_up: of the scene; glTF has y up.
 /// Errors:  OR-MD-030 one note for each kind of thing that is approximated or left out.

@@ -87,7 +87,8 @@ struct Look {
 
 class MaterialWriter::Maker {
  public:
-  Maker(const scene::Scene& scene, PlainFile& file) : scene_(scene), file_(file) {}
+  Maker(const scene::Scene& scene, PlainFile& file, float unit)
+      : scene_(scene), file_(file), unit_(unit) {}
 
   std::size_t index_of(const std::string& material);
 
@@ -97,6 +98,7 @@ class MaterialWriter::Maker {
   json material_of(const std::string& name);
   void add_transmission(const Look& look, json& made);
   void add_reflection(const Look& look, json& made);
+  void add_plastic(const Look& look, json& made);
   /// The texture behind a shader; none: null. `factor` is multiplied by constants on the way.
   json texture_behind(const std::string& shader, Vec3& factor, int depth = 0);
   json texture(const std::string& element);
@@ -104,6 +106,7 @@ class MaterialWriter::Maker {
 
   const scene::Scene& scene_;
   PlainFile& file_;
+  float unit_;
   std::map<std::string, std::size_t> indices_;
   std::map<std::string, json> textures_;
 };
@@ -223,6 +226,24 @@ void MaterialWriter::Maker::add_reflection(const Look& look, json& made) {
   specular["specularColorFactor"] = list_of(hue);
 }
 
+void MaterialWriter::Maker::add_plastic(const Look& look, json& made) {
+  json& pbr = made["pbrMetallicRoughness"];
+  Vec3 base = look.color("diffuse", Vec3(.5f));
+  if (const std::string shader = look.shader("diffuse"); !shader.empty()) {
+    base = Vec3(1);
+    if (json found = texture_behind(shader, base); !found.is_null())
+      pbr["baseColorTexture"] = std::move(found);
+  }
+  base = clamped(base);
+  pbr["baseColorFactor"] = {base.x, base.y, base.z, 1};
+  pbr["roughnessFactor"] = clamp01(look.number("roughness", .5f));
+  if (!look.shader("roughness").empty()) notes.insert("texture of roughness");
+  constexpr float kDefault = 1.5f;
+  const float ior = std::max(look.number("ior", kDefault), 1.0f);
+  if (std::fabs(ior - kDefault) > 1e-4f) extension_of(made, "KHR_materials_ior")["ior"] = ior;
+  if (look.value("bump")) notes.insert("bumps");
+}
+
 json MaterialWriter::Maker::material_of(const std::string& name) {
   json made = json::object();
   json& pbr = made["pbrMetallicRoughness"] = {{"metallicFactor", 0}};
@@ -237,6 +258,10 @@ json MaterialWriter::Maker::material_of(const std::string& name) {
     scene::ShaderUse base;
     if (const scene::Value* v = coat.value("base_material")) base.reference = v->text;
     use = base.reference.empty() ? nullptr : call_of(scene_, base);
+  }
+  if (use && use->type == "oriel_plastic") {
+    add_plastic(Look{*use}, made);
+    return made;
   }
   if (!use || !use->type.starts_with("mia_material")) {
     notes.insert(fmt::format("materials of shader {}, as grey", use ? use->type : "none"));
@@ -272,6 +297,7 @@ json MaterialWriter::Maker::material_of(const std::string& name) {
     else
       emission = Vec3(0);
   }
+  emission *= unit_;
   if (const float most = max_component(emission); most > 0) {
     made["emissiveFactor"] = list_of(emission / std::max(most, 1.0f));
     if (most > 1) extension_of(made, "KHR_materials_emissive_strength")["emissiveStrength"] = most;
@@ -282,8 +308,8 @@ json MaterialWriter::Maker::material_of(const std::string& name) {
   return made;
 }
 
-MaterialWriter::MaterialWriter(const scene::Scene& scene, PlainFile& file)
-    : maker_(std::make_unique<Maker>(scene, file)) {}
+MaterialWriter::MaterialWriter(const scene::Scene& scene, PlainFile& file, float unit)
+    : maker_(std::make_unique<Maker>(scene, file, unit)) {}
 MaterialWriter::~MaterialWriter() = default;
 
 std::size_t MaterialWriter::index_of(const std::string& material) {

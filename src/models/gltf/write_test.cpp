@@ -101,6 +101,49 @@ TEST(GltfWrite, GeometryCamerasAndLightsRoundTrip) {
   EXPECT_TRUE(camera(*to.scene).second.equalWithAbsError(camera(*from.scene).second, 1e-5f));
 }
 
+/// The intensity of the first light of the file of a scene, whose physical_light has colour 8.
+double written_intensity(const scene::Scene& scene) {
+  Diagnostics notes;
+  const std::string bytes = gltf::write_glb(scene, notes);
+  const std::size_t length =
+      static_cast<unsigned char>(bytes[12]) + 256u * static_cast<unsigned char>(bytes[13]);
+  const json root = json::parse(bytes.substr(20, length));
+  return root["extensions"]["KHR_lights_punctual"]["lights"][0]["intensity"].get<double>();
+}
+
+scene::Value numbers(std::vector<double> values) {
+  scene::Value value;
+  value.kind = scene::Value::Kind::Numbers;
+  value.numbers = std::move(values);
+  return value;
+}
+
+// physical_light of colour 8 has 2 W/sr; a unit of a sky with conversion 1 / (683 pi) is 683 cd/m2.
+TEST(GltfWrite, LightsHaveTheUnitOfTheScene) {
+  Made from;
+  from.import(scene_file().text());
+  ASSERT_TRUE(from.scene);
+  scene::Scene& scene = *from.scene;
+  for (scene::Element& element : scene.elements())
+    if (auto* light = std::get_if<scene::Light>(&element))
+      if (light->shaders[0].type == "physical_light")
+        light->shaders[0].arguments = {{"color", numbers({8, 8, 8}), {}}};
+  EXPECT_NEAR(written_intensity(scene), 2, 1e-5);
+  const double conversion = 1 / (683 * M_PI);
+  scene::ShaderElement sky;
+  sky.name = "sky";
+  sky.functions.push_back(
+      {.type = "mia_physicalsky",
+       .arguments = {{"rgb_unit_conversion", numbers({conversion, conversion, conversion}), {}}}});
+  scene.add(sky);
+  EXPECT_NEAR(written_intensity(scene), 2 * 683, 1e-2);
+  for (scene::Element& element : scene.elements())
+    if (auto* camera = std::get_if<scene::Camera>(&element))
+      camera->lens.push_back(
+          {.type = "mia_exposure_photographic", .arguments = {{"cm2_factor", numbers({10}), {}}}});
+  EXPECT_NEAR(written_intensity(scene), 20, 1e-4);
+}
+
 // acceptance: M5
 TEST(GltfWrite, MaterialsRoundTrip) {
   const json volume = {

@@ -14,7 +14,8 @@ namespace {
 
 /// Directional albedo of the lobe.
 Rgb albedo_of(const Lobe& lobe, const Vec3& wo) {
-  if (lobe.kind != LobeKind::Diffuse || lobe.roughness == 0) return lobe.weight;
+  if (lobe.kind != LobeKind::Diffuse || lobe.roughness == 0 || lobe.inverse_albedo > 0)
+    return lobe.weight;
   return lobe.weight * bsdf::OrenNayar(lobe.roughness).albedo(dot(wo, lobe.frame.n));
 }
 
