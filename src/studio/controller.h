@@ -14,13 +14,13 @@
 #include "interactive/edit_history.h"
 #include "interactive/journal.h"
 #include "interactive/render_loop.h"
-#include "render/indirect_plan.h"
 #include "studio/request_error.h"
 #include "studio/server.h"
 
 namespace oriel {
 struct Explanation;
-}
+struct IndirectPlan;
+}  // namespace oriel
 
 namespace oriel::interactive {
 class InteractiveSession;

@@ -10,6 +10,7 @@
 #include "geom/accel.h"
 #include "interactive/interactive_session.h"
 #include "output/camera_output.h"
+#include "render/indirect_plan.h"
 #include "studio/controller.h"
 #include "studio/describe.h"
 #include "studio/jobs.h"
