@@ -59,15 +59,13 @@ bool place_camera_again(const scene::Scene& scene, const scene::RenderCommand& c
 /// Prepares again what depends on elements of the scene that have changed.
 ///
 /// Model:   materials are bound again; a light renews all lights and their sampler; what refers to
-/// a
-///          changed light or shader is bound again; an instance renews all instances, with the same
-///          meshes; emission renews the sampler. The world is then equal to a new one.
+///          a changed light or shader is bound again; an instance renews all instances, with the
+///          same meshes; emission renews the sampler. The world is then equal to a new one.
 /// Inputs:  changed: names of materials, lights, named shaders, textures, instances, and of cameras
 ///          whose shaders changed. options: with the cache of the world's geometry.
 /// Returns: false if more depends on the change, or might: the names of lights or instances,
-/// shaders
-///          of users, displacement, volumes, another camera placement, messages that were or are
-///          reported. The world cannot be rendered then and has to be prepared again.
+///          shaders of users, displacement, volumes, another camera placement, messages that were
+///          or are reported. The world cannot be rendered then and has to be prepared again.
 /// Checked: EditTable.*, EditSequence.* in tests/interactive
 bool update_world(scene::Scene& scene, const scene::RenderCommand& command,
                   const Registry& registry, const PrepareOptions& options,
