@@ -18,6 +18,8 @@ constexpr double kLeastPaths = 1 << 20;
 /// Rays of a coarse record before BounceSolver halves them. Records only steer paths, so that many
 /// rough ones serve better than few exact ones.
 constexpr int kRaysOfRecord = 64;
+/// Camera paths for each record, at least, so that learning is not more work than the picture.
+constexpr double kPathsOfRecord = 1200;
 /// Rays of each guide point for a first guide, by which pilot paths decide, and rays of all points
 /// of the final guide for each camera path. More rays give a better guide: in a box, the squared
 /// error with 64, 128, 256 and 512 rays for each of 927 points is .71, .63, .57 and .52 of that
@@ -41,11 +43,15 @@ constexpr std::size_t kMostLights = 512;
 /// time to equal error, 3 save 11 %, 4 save 7 %.
 constexpr int kMoreRays = 2;
 
+std::size_t most_records(double paths) {
+  return static_cast<std::size_t>(std::min<double>(kMostBounceRecords, paths / kPathsOfRecord));
+}
+
 Bounces coarse_records(const World& world, const IntegratorPreparation& p,
                        const GatherSettings& settings) {
   const GatherPasses passes{settings, {}, world.options.finalgather.presample_density, p.seed};
   return gather_bounces(world, first_gather_points(world, p.picture, passes, p.counts), settings,
-                        p.seed, p.counts, p.monitor);
+                        p.seed, p.counts, p.monitor, most_records(p.paths));
 }
 
 /// Whether pilot paths gain by settings `a` over `b`.

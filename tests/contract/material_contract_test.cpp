@@ -35,6 +35,7 @@ struct Case {
     if (!defaults) params.randomize(engine);
     // What the energy claim of these materials is made for.
     params.set("brdf_conserve_energy", true);
+    params.set("conserve", true);
     params.set("cutout_opacity", 1.0f);
     // Shaders of plain levels keep energy as far as the scene does.
     if (std::string_view(spec.library) == "physics" ||
@@ -45,6 +46,8 @@ struct Case {
     if (wide) {
       params.set("refl_gloss", kWidestGloss * unit(engine));
       params.set("refr_gloss", kWidestGloss * unit(engine));
+      if (std::string_view(spec.name) == "oriel_plastic")
+        params.set("roughness", 1 - kWidestGloss * unit(engine));
       params.set("anisotropy", 0.5f + 1.5f * unit(engine));
       params.set("u_spread", 0.4f);
       params.set("v_spread", 0.3f);

@@ -161,8 +161,9 @@ class Slurm(unittest.TestCase):
         if not (pathlib.Path(ORIEL).parent / "oriel_mpi.so").exists():
             self.skipTest("Open MPI was not installed when Oriel was built")
         self.write_scene(SCENE + RENDER)
-        samples = self.samples_for(10)
-        # The signal comes after some seconds, as the lead is almost all of the minute.
+        samples = self.samples_for(30)
+        # The signal comes within half a minute, as the lead is almost all of the minute and Slurm looks at time
+        # limits twice a minute.
         job = self.submit("--mpi", 2, "--time", "1", "--lead", 57, samples=samples)
         self.wait(lambda: self.record()["state"] == "stopped", "the checkpoint")
         self.assertTrue((self.job / "parts/frame-0001.checkpoint").exists())
@@ -185,8 +186,9 @@ class Slurm(unittest.TestCase):
 
     def test_a_task_near_its_time_limit_continues_later(self):
         self.write_scene(SCENE + RENDER)
-        samples = self.samples_for(10)
-        # The signal comes after some seconds, as the lead is almost all of the minute.
+        samples = self.samples_for(30)
+        # The signal comes within half a minute, as the lead is almost all of the minute and Slurm looks at time
+        # limits twice a minute.
         job = self.submit("--parts", 1, "--time", "1", "--lead", 57, samples=samples)
         self.wait(lambda: self.record()["state"] == "stopped", "the checkpoint")
         self.assertTrue((self.job / "parts/frame-0001.part-1-of-1").exists())

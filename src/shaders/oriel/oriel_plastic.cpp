@@ -2,8 +2,10 @@
 #include "shaders/oriel/oriel_plastic.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bsdf/burley_diffuse.h"
+#include "bsdf/facet_reflection.h"
 #include "bsdf/fresnel.h"
 #include "bsdf/gloss.h"
 #include "runtime/bump.h"
@@ -38,7 +40,7 @@ constexpr ParamSpec kOrielPlasticRows[] = {
     {ORIEL_PARAM(Plastic, roughness), .fallback = {.5f}, .min = 0, .max = 1,
      .doc = "Roughness of both; its square is the roughness of the facets."},
     {ORIEL_PARAM(Plastic, conserve), .fallback = {1},
-     .doc = "Whether reflected light is missing below the boundary."},
+     .doc = "Whether reflected light is missing below the boundary, so that no light is added."},
     {ORIEL_PARAM(Plastic, albedo_0), .fallback = {.04f}, .min = 0, .max = 1,
      .doc = "Reflected share of light at normal incidence, for conserve."},
     {ORIEL_PARAM(Plastic, albedo_90), .fallback = {1}, .min = 0, .max = 1,
@@ -61,13 +63,39 @@ Vec3 bumped(const Call& call, const Plastic& p) {
   return facing_viewer(normal, call.point);
 }
 
+/// Largest directional albedo of the diffuse lobe if light is conserved: Burley's exceeds 1 at
+/// grazing angles, and its fit has an error of 3 %.
+constexpr float kMostDiffuse = 0.97f;
+
+bsdf::Roughness facet_roughness(const Plastic& p) {
+  return bsdf::anisotropic_roughness(sqr(clamp01(p.roughness)), 1);
+}
+
+/// The reflected share of light at that cosine, from a few directions.
+float facet_albedo(const Plastic& p, float cosine) {
+  const bsdf::Roughness roughness = facet_roughness(p);
+  if (roughness.is_mirror()) return bsdf::fresnel_dielectric(cosine, p.ior);
+  constexpr int kDirections = 32;
+  // Fractional parts of multiples of the golden ratio.
+  constexpr float kGolden = 0.61803399f;
+  const bsdf::FacetReflection facets(roughness.ax, roughness.ay, p.ior);
+  const Vec3 wo(std::sqrt(std::max(0.0f, 1 - cosine * cosine)), 0, std::max(cosine, 1e-3f));
+  float sum = 0;
+  for (int i = 0; i < kDirections; ++i) {
+    const float turn = static_cast<float>(i) * kGolden;
+    const Vec2 u((static_cast<float>(i) + 0.5f) / kDirections, turn - std::floor(turn));
+    if (const auto s = facets.sample(wo, u, 0.5f)) sum += s->weight;
+  }
+  return clamp01(sum / kDirections);
+}
+
 void add_diffuse_part(const Plastic& p, const Vec3& normal, float cosine, float left,
                       Closure& closure) {
   Rgb color(std::max(p.diffuse.r, 0.0f), std::max(p.diffuse.g, 0.0f), std::max(p.diffuse.b, 0.0f));
   color *= left;
   const float roughness = clamp01(p.roughness);
   const float albedo = p.retro_reflective ? bsdf::BurleyDiffuse::albedo(roughness, cosine) : 1;
-  const Rgb weight = color * albedo;
+  const Rgb weight = color * (p.conserve ? std::min(albedo, kMostDiffuse) : albedo);
   if (is_black(weight)) return;
   Lobe& lobe = closure.add(LobeKind::Diffuse, LobeType::Diffuse, weight, Frame(normal));
   if (p.retro_reflective) {
@@ -83,7 +111,7 @@ void add_facets(const Plastic& p, const Vec3& normal, float share, const Shading
                  clamp01(p.reflection_color.b));
   if (p.ior <= 1 || is_black(tint)) return;
   const float cosine = clamp01(dot(normal, point.wo()));
-  const bsdf::Roughness roughness = bsdf::anisotropic_roughness(sqr(clamp01(p.roughness)), 1);
+  const bsdf::Roughness roughness = facet_roughness(p);
   const float smooth = bsdf::fresnel_dielectric(cosine, p.ior);
   const Rgb weight = tint * (roughness.is_mirror() ? smooth : share);
   Lobe& lobe = closure.add(roughness.is_mirror() ? LobeKind::Mirror : LobeKind::GlossyReflection,
@@ -104,7 +132,7 @@ void shade_plastic(const Call& call, Closure& closure) {
   constexpr float kMinShare = 0.01f;
   const float reflected = clamp01(
       bsdf::ReflectivityCurve{p.albedo_0, p.albedo_90, std::max(p.albedo_curve, 0.0f)}(cosine));
-  const float left = p.conserve && p.ior > 1 ? 1 - reflected : 1;
+  const float left = p.conserve && p.ior > 1 ? 1 - std::max(reflected, facet_albedo(p, cosine)) : 1;
   shade_input(call, offsetof(Plastic, base_material), p.base_material, Rgb(left), closure);
   add_diffuse_part(p, normal, cosine, left, closure);
   add_facets(p, normal, std::max(reflected, kMinShare), call.point, closure);

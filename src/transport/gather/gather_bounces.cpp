@@ -17,8 +17,8 @@ namespace {
 // The values below are estimates; the fine records average the errors of these coarse ones.
 /// Rays per record that find points for further records.
 constexpr int kFeelers = 16;
-/// Maximum number of points per generation whose rays are traced, and of records in all.
-constexpr std::size_t kMaxViewers = 1024, kMaxPoints = 4096;
+/// Maximum number of points per generation whose rays are traced.
+constexpr std::size_t kMaxViewers = 1024;
 /// Interpolation error above which a point gets its own record, and above which a record is not
 /// used.
 constexpr float kCoverError = 0.7f, kWorstBounceError = 0.8f;
@@ -55,8 +55,13 @@ GatherRadii coarse_radii(const World& world) {
 class BounceSolver {
  public:
   BounceSolver(const World& world, const GatherSettings& settings, std::uint32_t seed,
-               RayCounts& counts, const ProgressMonitor& monitor)
-      : world_(world), settings_(settings), seed_(seed), counts_(counts), monitor_(monitor) {
+               RayCounts& counts, const ProgressMonitor& monitor, std::size_t most)
+      : world_(world),
+        settings_(settings),
+        seed_(seed),
+        counts_(counts),
+        monitor_(monitor),
+        most_(most) {
     settings_.rays =
         std::clamp(static_cast<int>(static_cast<float>(settings.rays) * kRays), 16, kMaxRays);
     settings_.path.diffuse_bounces = 0;
@@ -73,7 +78,7 @@ class BounceSolver {
       const std::size_t end = std::min(met.size(), begin + batch);
       const std::vector<std::uint8_t> covered = cover_of({met.data() + begin, end - begin});
       std::vector<GatherPoint> wanted;
-      for (std::size_t i = begin; i < end && points_.size() + wanted.size() < kMaxPoints; ++i)
+      for (std::size_t i = begin; i < end && points_.size() + wanted.size() < most_; ++i)
         if (!covered[i - begin]) wanted.push_back(met[i]);
       const std::vector<GatherRecord> made = gather(wanted, points_.size());
       cache_.insert(made);
@@ -224,6 +229,7 @@ class BounceSolver {
   std::uint32_t seed_;
   RayCounts& counts_;
   const ProgressMonitor& monitor_;
+  std::size_t most_;
   GatherQuery cover_;
   GatherCache cache_;
   std::vector<GatherPoint> points_;
@@ -244,8 +250,8 @@ GatherQuery bounces_query(const World& world) {
 
 Bounces gather_bounces(const World& world, const std::vector<GatherPoint>& seen,
                        const GatherSettings& settings, std::uint32_t seed, RayCounts& counts,
-                       const ProgressMonitor& monitor) {
-  BounceSolver solver(world, settings, seed, counts, monitor);
+                       const ProgressMonitor& monitor, std::size_t most) {
+  BounceSolver solver(world, settings, seed, counts, monitor, most);
   solver.place(seen, 0);
   const std::vector<GatherPoint> met = solver.points();
   solver.place(met, 1);

@@ -7,6 +7,9 @@
 
 namespace oriel {
 
+/// Records of a coarse cache.
+inline constexpr std::size_t kMostBounceRecords = 4096;
+
 /// A coarse irradiance cache that is ready for look-ups.
 struct Bounces {
   GatherCache cache;
@@ -26,10 +29,10 @@ GatherQuery bounces_query(const World& world);
 ///          changes little, the remaining bounces are extrapolated as a geometric series with the
 ///          ratio of the last two rounds. Rays that hit points without a record continue as paths.
 /// Inputs:  seen: the gather points of the picture; settings: those of its records;
-///          settings.path.diffuse_bounces is the number of bounces, above 0.
+///          settings.path.diffuse_bounces is the number of bounces, above 0; most: records.
 /// Checked: tests/cross_method
 Bounces gather_bounces(const World& world, const std::vector<GatherPoint>& seen,
                        const GatherSettings& settings, std::uint32_t seed, RayCounts& counts,
-                       const ProgressMonitor& monitor);
+                       const ProgressMonitor& monitor, std::size_t most = kMostBounceRecords);
 
 }  // namespace oriel
