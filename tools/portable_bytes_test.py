@@ -29,9 +29,9 @@ FEW_PHOTONS = "few photons"
 # Geometry that meets rays at its edges, glass, textures, coincident faces; paths, photons and final
 # gathering.
 SCENES = {
-    "interior": ["scenes/interior/interior.mi", "--size", "72x48", "--samples", "4"],
+    "interior": ["scenes/interior/interior.mi", "--size", "48x32", "--samples", "2"],
     "nine tiles": [FEW_PHOTONS, "--size", "60x40", "--samples", "2"],
-    "round corners": ["scenes/round-corners.mi", "--size", "120x80", "--samples", "4"],
+    "round corners": ["scenes/round-corners.mi", "--size", "90x60", "--samples", "2"],
     "final gathering": ["scenes/interior/interior.mi", "--size", "12x8", "--samples", "1", "--gi",
                         "fg"],
 }

@@ -250,8 +250,8 @@ StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
     // A part has no picture to show, and its pixels can be saved without caches.
     if (!saves_caches_ && cancel && *cancel) return StopReason::Cancelled;
     prepared_ = true;
-    const bool is_partial =
-        integrator_->has_caches() || (!picture_if_cancelled_ && !integrator_->is_prepared());
+    // What paths learned is part of the state.
+    const bool is_partial = integrator_->has_caches() || !integrator_->is_prepared();
     state_is_whole_ = !(cancel && *cancel && is_partial);
     if (!state_is_whole_ && !picture_if_cancelled_) return StopReason::Cancelled;
     if (!state_is_whole_) {

@@ -41,13 +41,11 @@ SceneText sunny_room() {
   board(.5f, 1, 2, 2);
   scene.light("sun",
               "\"mib_light_infinite\" ( \"color\" 4 4 4, \"shadow\" on ) direction -1 .2 -1.2");
-  scene.box("white", Vec3(3, 3, 0), Vec3(7, 7, 3), true);
-  for (int i = 0; i < 12; ++i) {
-    const float x = i == 0 ? 0.0f : 3.5f + .25f * static_cast<float>(i);
-    scene.light(
-        fmt::format("lamp{}", i),
-        fmt::format("\"physical_light\" ( \"color\" 3 3 3 ) origin {} {} 2.5", x, i == 0 ? 0 : 5));
-  }
+  scene.box("white", Vec3(-2, 2.1f, 0), Vec3(2, 3, 3), true);
+  for (int i = 0; i < 12; ++i)
+    scene.light(fmt::format("lamp{}", i),
+                fmt::format("\"physical_light\" ( \"color\" 30 30 30 ) origin {} {} 2",
+                            i == 0 ? 0 : .3f * static_cast<float>(i - 6), i == 0 ? 0 : 2.5f));
   return scene.camera("focal 1 aperture 1.6 aspect 1.5 resolution 120 80",
                       "transform 0 0 -1 0 -1 0 0 0 0 1 0 0 0 -1.5 -1.9 1");
 }
