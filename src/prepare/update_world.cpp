@@ -67,6 +67,7 @@ bool can_replace(const Material& a, const Material& b) {
 template <class T>
 std::vector<std::string> names_in(const std::vector<T>& list) {
   std::vector<std::string> names;
+  names.reserve(list.size());
   for (const T& item : list) names.push_back(item.name);
   return names;
 }

@@ -107,7 +107,7 @@ std::vector<GuidePoint> guide_points(const World& world, const Bounces& coarse, 
     const sampling::Sampler stream(kGuideColumn, static_cast<int>(i), 0, seed);
     points[i] = of_point.light_at(coarse.points[i], stream, traced[i]);
   });
-  for (const RayCounts& of_point : traced) counts += of_point;
+  for (const RayCounts& own : traced) counts += own;
   return monitor.cancelled() ? std::vector<GuidePoint>() : points;
 }
 
