@@ -36,6 +36,8 @@ struct Case {
     // What the energy claim of these materials is made for.
     params.set("brdf_conserve_energy", true);
     params.set("conserve", true);
+    // Burley's lobe gains light at grazing angles.
+    if (!wide) params.set("retro_reflective", false);
     params.set("cutout_opacity", 1.0f);
     // Shaders of plain levels keep energy as far as the scene does.
     if (std::string_view(spec.library) == "physics" ||

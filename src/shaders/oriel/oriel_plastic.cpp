@@ -40,7 +40,7 @@ constexpr ParamSpec kOrielPlasticRows[] = {
     {ORIEL_PARAM(Plastic, roughness), .fallback = {.5f}, .min = 0, .max = 1,
      .doc = "Roughness of both; its square is the roughness of the facets."},
     {ORIEL_PARAM(Plastic, conserve), .fallback = {1},
-     .doc = "Whether reflected light is missing below the boundary, so that no light is added."},
+     .doc = "Whether reflected light is missing below the boundary."},
     {ORIEL_PARAM(Plastic, albedo_0), .fallback = {.04f}, .min = 0, .max = 1,
      .doc = "Reflected share of light at normal incidence, for conserve."},
     {ORIEL_PARAM(Plastic, albedo_90), .fallback = {1}, .min = 0, .max = 1,
@@ -62,10 +62,6 @@ Vec3 bumped(const Call& call, const Plastic& p) {
       v == Vec3(0) ? moved.normal : bump_normal(call.point, call.point.normal, v, p.bump_mode);
   return facing_viewer(normal, call.point);
 }
-
-/// Largest directional albedo of the diffuse lobe if light is conserved: Burley's exceeds 1 at
-/// grazing angles, and its fit has an error of 3 %.
-constexpr float kMostDiffuse = 0.97f;
 
 bsdf::Roughness facet_roughness(const Plastic& p) {
   return bsdf::anisotropic_roughness(sqr(clamp01(p.roughness)), 1);
@@ -95,7 +91,7 @@ void add_diffuse_part(const Plastic& p, const Vec3& normal, float cosine, float 
   color *= left;
   const float roughness = clamp01(p.roughness);
   const float albedo = p.retro_reflective ? bsdf::BurleyDiffuse::albedo(roughness, cosine) : 1;
-  const Rgb weight = color * (p.conserve ? std::min(albedo, kMostDiffuse) : albedo);
+  const Rgb weight = color * albedo;
   if (is_black(weight)) return;
   Lobe& lobe = closure.add(LobeKind::Diffuse, LobeType::Diffuse, weight, Frame(normal));
   if (p.retro_reflective) {
