@@ -32,13 +32,6 @@ double thread_seconds() {
   return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
 }
 
-template <class Stream, class Counts>
-void visit_rays(Stream& stream, Counts& rays) {
-  for (auto* count : {&rays.eye, &rays.reflect, &rays.refract, &rays.gather, &rays.shadow,
-                      &rays.probe, &rays.environment})
-    stream.value(*count);
-}
-
 /// Tiles and their pixels, as messages carry them.
 struct TilesMessage {
   std::int32_t picture = 0;
@@ -52,7 +45,7 @@ struct TilesMessage {
     out.value(picture);
     out.list(held);
     out.list(tiles);
-    visit_rays(out, rays);
+    visit_counts(out, rays);
     out.value(std::uint64_t{targets.size()});
     return out.take() + targets + pixels;
   }
@@ -71,7 +64,7 @@ ReceivedTiles read_tiles(const std::string& bytes) {
   in.value(head.picture);
   in.list(head.held);
   in.list(head.tiles);
-  visit_rays(in, head.rays);
+  visit_counts(in, head.rays);
   std::uint64_t targets = 0;
   in.value(targets);
   const std::string_view data = in.rest();

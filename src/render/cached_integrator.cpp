@@ -271,10 +271,8 @@ void CachedIntegrator::cache_bounces(const GatherPasses& passes, const Integrato
 
 void CachedIntegrator::gather(const IntegratorPreparation& p) {
   const scene::FinalGatherOptions& options = world_.options.finalgather;
-  GatherPasses passes = gather_passes(p.seed);
+  const GatherPasses passes = gather_passes(p.seed);
   cache_bounces(passes, p);
-  const IndirectCaches behind = maps_;
-  if (plan_.global || plan_.caustic || maps_.bounces) passes.records.path.maps = &behind;
 
   using Rebuild = scene::FinalGatherOptions::Rebuild;
   if (options.rebuild != Rebuild::On)
@@ -289,7 +287,7 @@ void CachedIntegrator::gather(const IntegratorPreparation& p) {
   if (options.rebuild == Rebuild::Freeze && !p.files.gather.empty()) return;
   const std::size_t before = cache_.records().size();
   if (p.share) start_helpers(p);
-  gather_for_picture(world_, p.window, passes, cache_, p.counts, p.monitor, p.after_pass, p.share);
+  gather_in_passes(passes, p);
   const bool changed = cache_.records().size() > before || options.rebuild == Rebuild::On;
   if (!p.files.gather.empty() && !p.files.read_only && changed && !p.monitor.cancelled())
     save_gather_map(cache_.records(), p.files.gather.front(), p.diagnostics);
@@ -308,7 +306,11 @@ void CachedIntegrator::help(const IntegratorPreparation& p) {
   if (state.empty()) return;
   ByteReader in(state);
   restore_maps(in, p);
-  GatherPasses passes = gather_passes(p.seed);
+  gather_in_passes(gather_passes(p.seed), p);
+}
+
+/// Gathers the points of the picture; behind them all caches but theirs are read.
+void CachedIntegrator::gather_in_passes(GatherPasses passes, const IntegratorPreparation& p) {
   IndirectCaches behind = maps_;
   behind.gather = nullptr;
   if (plan_.global || plan_.caustic || maps_.bounces) passes.records.path.maps = &behind;

@@ -55,6 +55,7 @@ class CachedIntegrator final : public Integrator {
   template <class In>
   void restore_maps(In& in, const IntegratorPreparation& p);
   void start_helpers(const IntegratorPreparation& p);
+  void gather_in_passes(GatherPasses passes, const IntegratorPreparation& p);
   void find_lit_surfaces(const IntegratorPreparation& p);
   void learn(const IntegratorPreparation& p);
   void trace_sharp_caustics(const IntegratorPreparation& p);

@@ -46,14 +46,6 @@ DisplayMap display_map(const World& world, const Window& window) {
   };
 }
 
-/// Writes or reads numbers of rays.
-template <class Checkpoint>
-void visit_counts(Checkpoint& checkpoint, RayCounts& counts) {
-  for (std::uint64_t* count : {&counts.eye, &counts.reflect, &counts.refract, &counts.gather,
-                               &counts.shadow, &counts.probe, &counts.environment})
-    checkpoint.value(*count);
-}
-
 std::unique_ptr<Integrator> integrator_of(const World& world, const SessionSettings& settings) {
   if (!settings.draft) return make_integrator(world);
   return std::make_unique<PathIntegrator>(

@@ -23,4 +23,12 @@ struct RayCounts {
   }
 };
 
+/// Writes the numbers to a stream or checkpoint, or reads them. Counts: RayCounts, constant or not.
+template <class Stream, class Counts>
+void visit_counts(Stream& stream, Counts& counts) {
+  for (auto* count : {&counts.eye, &counts.reflect, &counts.refract, &counts.gather, &counts.shadow,
+                      &counts.probe, &counts.environment})
+    stream.value(*count);
+}
+
 }  // namespace oriel

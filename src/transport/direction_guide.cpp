@@ -83,24 +83,24 @@ DirectionGuide::DirectionGuide(const geom::Box3& bounds, std::span<const GuidePo
   places.reserve(points.size());
   for (const GuidePoint& p : points) places.push_back({p.position, p.normal});
   tree_ = SurfaceTree(bounds, places);
-  // The means of the points and of the light above.
-  const auto light_of = [&](std::span<const std::uint32_t> indices, const GuideSquare& above) {
-    GuideSquare light;
-    for (std::size_t k = 0; k < kGuideCells; ++k) light[k] = kWeightAbove * above[k];
-    for (const std::uint32_t i : indices)
-      for (std::size_t k = 0; k < kGuideCells; ++k) light[k] += points[i].light[k];
-    const float scale = 1 / (static_cast<float>(indices.size()) + kWeightAbove);
-    for (float& l : light) l *= scale;
-    return light;
+  // The mean of the points and of the light above.
+  const auto mean_of = [&](std::span<const std::uint32_t> indices, const GuidePoint& above) {
+    GuidePoint mean;
+    mean.mean = kWeightAbove * above.mean;
+    for (std::size_t k = 0; k < kGuideCells; ++k) mean.light[k] = kWeightAbove * above.light[k];
+    for (const std::uint32_t i : indices) {
+      mean.mean += points[i].mean;
+      for (std::size_t k = 0; k < kGuideCells; ++k) mean.light[k] += points[i].light[k];
+    }
+    const float weight = static_cast<float>(indices.size()) + kWeightAbove, scale = 1 / weight;
+    mean.mean /= weight;
+    for (float& l : mean.light) l *= scale;
+    return mean;
   };
-  const auto mean_of = [&](std::span<const std::uint32_t> indices, const Rgb& above) {
-    Rgb light = kWeightAbove * above;
-    for (const std::uint32_t i : indices) light += points[i].mean;
-    return light / (static_cast<float>(indices.size()) + kWeightAbove);
-  };
-  for (const GuideSquare& light : tree_.values(GuideSquare{}, light_of))
-    densities_.emplace_back(light);
-  light_ = tree_.values(Rgb(0), mean_of);
+  for (const GuidePoint& of_cell : tree_.values(GuidePoint(), mean_of)) {
+    densities_.emplace_back(of_cell.light);
+    light_.push_back(of_cell.mean);
+  }
   tree_.forget_points();
 }
 

@@ -37,9 +37,7 @@ class LearnedLights {
   template <class Checkpoint>
   void visit_state(Checkpoint& checkpoint) {
     tree_.visit_state(checkpoint);
-    std::uint64_t count = count_;
-    checkpoint.value(count);
-    count_ = static_cast<std::size_t>(count);
+    checkpoint.value(count_);
     checkpoint.list(probability_);
     checkpoint.list(until_);
   }

@@ -69,9 +69,7 @@ class SurfaceTree {
   template <class Checkpoint>
   void visit_state(Checkpoint& checkpoint) {
     checkpoint.list(nodes_);
-    std::uint64_t cells = cells_;
-    checkpoint.value(cells);
-    cells_ = static_cast<std::size_t>(cells);
+    checkpoint.value(cells_);
   }
   /// Whether find() ends at a cell for every place; of a tree that was read.
   bool is_valid() const;

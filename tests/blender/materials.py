@@ -172,10 +172,7 @@ CASES = {
 
 def difference(ours, theirs, block=8):
     """Mean absolute difference of blocks, relative to the mean; blocks remove the noise."""
-    def blocks(p):
-        n = SIZE // block
-        return p[..., :3].reshape(n, block, n, block, 3).mean(axis=(1, 3))
-    a, b = blocks(ours), blocks(theirs)
+    a, b = support.block_means(ours, block), support.block_means(theirs, block)
     return numpy.abs(a - b).mean() / b.mean()
 
 

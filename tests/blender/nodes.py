@@ -303,10 +303,8 @@ def main():
     failed = []
     for k, name in enumerate(CELLS):
         x, y = k % COLUMNS * PIXELS, (rows - 1 - k // COLUMNS) * PIXELS
-        def blocks(p):
-            part = p[y + 2:y + PIXELS - 2, x + 2:x + PIXELS - 2, :3]
-            return part.reshape(3, 4, 3, 4, 3).mean(axis=(1, 3))
-        a, b = blocks(ours), blocks(theirs)
+        a, b = (support.block_means(p[y + 2:y + PIXELS - 2, x + 2:x + PIXELS - 2], 4)
+                for p in (ours, theirs))
         error = numpy.abs(a - b).mean() / max(b.mean(), 1e-6)
         print(f"{name:24s} mean difference {error:6.2%}", flush=True)
         if error > LIMIT:

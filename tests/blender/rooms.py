@@ -18,23 +18,12 @@ def compare(label, samples=256, size=8, limit=LIMIT):
     """Compares the means of blocks of the picture."""
     ours = support.render("ORIEL", samples, label)
     theirs = support.render("CYCLES", samples, label)
-    height, width = ours.shape[:2]
-    def blocks(p):
-        return p[..., :3].reshape(height // size, size, width // size, size, 3).mean(axis=(1, 3))
-    a, b = blocks(ours), blocks(theirs)
+    a, b = support.block_means(ours, size), support.block_means(theirs, size)
     error = numpy.abs(a - b).mean() / b.mean()
     support.save_png(numpy.concatenate([ours, theirs], axis=1),
                      support.FOLDER / f"room_{label.replace(' ', '_')}.png")
     support.check(error <= limit, f"{label}: mean difference {error:.2%}, "
                                   f"mean {a.mean() / b.mean() - 1:+.2%}")
-
-
-def principled(name, colour, **values):
-    material, _tree, node = support.node_material(name)
-    node.inputs["Base Color"].default_value = (*colour, 1)
-    for key, value in values.items():
-        node.inputs[key].default_value = value
-    return material
 
 
 def box(name, size, location, material=None, parent=None):
@@ -48,10 +37,10 @@ def box(name, size, location, material=None, parent=None):
 
 def walls():
     """A room of 5 x 4 x 2.6 with a window in the wall at +x and an open side towards the camera."""
-    paint = principled("Paint", (.7, .7, .68), Specular=0.0)
-    box("Ground", (5, 4, .1), (0, 0, -.05), principled("Boards", (.4, .25, .15), Roughness=.4))
+    paint = support.principled("Paint", (.7, .7, .68), Specular=0.0)
+    box("Ground", (5, 4, .1), (0, 0, -.05), support.principled("Boards", (.4, .25, .15), Roughness=.4))
     box("Ceiling", (5, 4, .1), (0, 0, 2.65), paint)
-    box("Back", (5, .1, 2.6), (0, 2.05, 1.3), principled("Blue", (.2, .3, .5), Specular=0.0))
+    box("Back", (5, .1, 2.6), (0, 2.05, 1.3), support.principled("Blue", (.2, .3, .5), Specular=0.0))
     box("Left", (.1, 4, 2.6), (-2.55, 0, 1.3), paint)
     box("Sill", (.1, 4, .8), (2.55, 0, .4), paint)
     box("Lintel", (.1, 4, .4), (2.55, 0, 2.4), paint)
@@ -61,7 +50,7 @@ def walls():
 
 def table():
     """A bevelled top on mirrored legs, as a collection that is placed twice."""
-    wood = principled("Wood", (.5, .3, .15), Roughness=.35)
+    wood = support.principled("Wood", (.5, .3, .15), Roughness=.35)
     collection = bpy.data.collections.new("Table")
     top = box("Top", (1.2, .7, .06), (0, 0, .72), wood)
     bevel = top.modifiers.new("Bevel", "BEVEL")
@@ -83,7 +72,7 @@ def furniture():
     table()
     # A shelf of five boards, each 3 cm thick by a modifier.
     board = support.add_mesh("Shelf", [(-.5, -.15, 0), (.5, -.15, 0), (.5, .15, 0), (-.5, .15, 0)],
-                             [(0, 1, 2, 3)], principled("White", (.8, .8, .8)))
+                             [(0, 1, 2, 3)], support.principled("White", (.8, .8, .8)))
     board.location = (-1.6, 1.8, .3)
     board.modifiers.new("Solidify", "SOLIDIFY").thickness = .03
     array = board.modifiers.new("Array", "ARRAY")
@@ -92,11 +81,11 @@ def furniture():
     # A cushion: a subdivided box, child of a scaled and mirrored parent.
     parent = support.add("Parent", None, (.2, -.4, .25), (0, 0, .5))
     parent.scale = (-1.5, 1, .8)
-    cushion = box("Cushion", (.5, .5, .4), (.3, .1, 0), principled("Red", (.6, .1, .08)), parent)
+    cushion = box("Cushion", (.5, .5, .4), (.3, .1, 0), support.principled("Red", (.6, .1, .08)), parent)
     cushion.modifiers.new("Subdivision", "SUBSURF").render_levels = 2
     for polygon in cushion.data.polygons:
         polygon.use_smooth = True
-    ball = support.add_sphere(.25, principled("Chrome", (.9, .9, .9), Metallic=1.0, Roughness=.2),
+    ball = support.add_sphere(.25, support.principled("Chrome", (.9, .9, .9), Metallic=1.0, Roughness=.2),
                               (-.9, .6, 1.0))
     ball.scale = (1, 1, -1)
 

@@ -27,24 +27,13 @@ def stage(width, height):
 def compare(label, limit, samples=64, size=8):
     """Compares the means of blocks of the pictures, and alpha."""
     ours, theirs = (support.render(e, samples, "scene") for e in ("ORIEL", "CYCLES"))
-    height, width = (n // size * size for n in ours.shape[:2])
-    def blocks(p):
-        return p[:height, :width, :3].reshape(height // size, size, width // size, size, 3).mean(
-            axis=(1, 3))
-    error = numpy.abs(blocks(ours) - blocks(theirs)).mean() / max(blocks(theirs).mean(), 1e-6)
+    a, b = support.block_means(ours, size), support.block_means(theirs, size)
+    error = numpy.abs(a - b).mean() / max(b.mean(), 1e-6)
     alpha = numpy.abs(ours[..., 3] - theirs[..., 3]).mean()
     support.save_png(numpy.concatenate([ours, theirs], axis=1),
                      support.FOLDER / f"scene_{label.replace(' ', '_')}.png")
     support.check(error <= limit and alpha < .005,
                   f"{label}: mean difference {error:.2%}, of alpha {alpha:.4f}")
-
-
-def principled(name, colour, **values):
-    material, _tree, node = support.node_material(name)
-    node.inputs["Base Color"].default_value = (*colour, 1)
-    for key, value in values.items():
-        node.inputs[key].default_value = value
-    return material
 
 
 def look(location, target, **settings):
@@ -69,7 +58,7 @@ def floors():
                 continue  # the mirror image of a lamp is brighter than everything else
             scene = stage(48, 24)
             scene.world.color = (.05, .05, .05)
-            support.add_plane(200, principled("Floor", (.5, .4, .3), Specular=specular,
+            support.add_plane(200, support.principled("Floor", (.5, .4, .3), Specular=specular,
                                               Roughness=roughness))
             for x in (-3, 3):
                 add_light("AREA", 60, (x, 2, 1.5), shape="DISK", size=.6)
@@ -81,9 +70,9 @@ def film():
     """Holdouts, a material override, and collections that only reflections see."""
     scene = stage(64, 48)
     scene.world.color, scene.render.film_transparent = (.5, .6, .8), True
-    support.add_sphere(1, principled("Red", (.8, .3, .1)), (-1.2, 0, 1), 32)
-    ball = support.add_sphere(.8, principled("Green", (.3, .8, .1)), (1, 0, .8), 32)
-    support.add_plane(5.0, principled("Grey", (.5, .5, .5)))
+    support.add_sphere(1, support.principled("Red", (.8, .3, .1)), (-1.2, 0, 1), 32)
+    ball = support.add_sphere(.8, support.principled("Green", (.3, .8, .1)), (1, 0, .8), 32)
+    support.add_plane(5.0, support.principled("Grey", (.5, .5, .5)))
     add_light("POINT", 200, (2, -3, 4), shadow_soft_size=.1)
     look((0, -7, 2), (0, 0, .8), lens=40.0)
     ball.is_holdout = True
@@ -91,7 +80,7 @@ def film():
     scene.render.film_transparent = False
     compare("holdout over the world", .015)
     ball.is_holdout = False
-    bpy.context.view_layer.material_override = principled("Clay", (.6, .6, .6))
+    bpy.context.view_layer.material_override = support.principled("Clay", (.6, .6, .6))
     compare("material override", .015)
     bpy.context.view_layer.material_override = None
     collection = bpy.data.collections.new("Apart")
@@ -133,14 +122,14 @@ def visibility():
     """Objects that some kinds of rays do not see."""
     scene = stage(80, 48)
     scene.world.color = (.4, .45, .5)
-    support.add_plane(20, principled("Mirror", (.6, .6, .6), Roughness=.2, Metallic=1.0))
+    support.add_plane(20, support.principled("Mirror", (.6, .6, .6), Roughness=.2, Metallic=1.0))
     for k, flag in enumerate(("visible_camera", "visible_diffuse", "visible_glossy",
                               "visible_transmission", "visible_shadow")):
-        ball = support.add_sphere(.5, principled(flag, (.8, .2, .1)), (-3 + 1.5 * k, 0, .6), 24)
+        ball = support.add_sphere(.5, support.principled(flag, (.8, .2, .1)), (-3 + 1.5 * k, 0, .6), 24)
         setattr(ball, flag, False)
     wall = support.add_plane(10, support.diffuse_material((.7, .7, .7)))
     wall.rotation_euler.x, wall.location.y = math.pi / 2, 2
-    pane = support.add_plane(8, principled("Glass", (1, 1, 1), Transmission=1.0, Roughness=0.0,
+    pane = support.add_plane(8, support.principled("Glass", (1, 1, 1), Transmission=1.0, Roughness=0.0,
                                            IOR=1.0))
     pane.rotation_euler.x, pane.location, pane.scale.y = math.pi / 2, (0, -1.5, .6), .15
     add_light("AREA", 200, (0, -3, 4), (.6, 0, 0), size=2)
@@ -154,7 +143,7 @@ def hair():
     bpy.ops.mesh.primitive_uv_sphere_add(radius=1)
     ob = bpy.context.object
     for name, colour in (("Skin", (.5, .3, .2)), ("Fur", (.6, .3, .1))):
-        ob.data.materials.append(principled(name, colour))
+        ob.data.materials.append(support.principled(name, colour))
     ob.modifiers.new("Hair", "PARTICLE_SYSTEM")
     settings = ob.particle_systems[0].settings
     settings.type, settings.count, settings.hair_length, settings.material = "HAIR", 300, .5, 2
@@ -168,9 +157,9 @@ def panoramas():
     """Panoramic cameras as in Cycles; others are refused."""
     scene = stage(64, 32)
     scene.world.color = (.3, .4, .6)
-    support.add_plane(20, principled("Floor", (.5, .4, .3)), z=-1)
+    support.add_plane(20, support.principled("Floor", (.5, .4, .3)), z=-1)
     for x, colour in ((-3, (.8, .1, .1)), (3, (.1, .7, .1))):
-        support.add_sphere(1, principled("Ball", colour), (x, 2, 0), 24)
+        support.add_sphere(1, support.principled("Ball", colour), (x, 2, 0), 24)
     support.add_camera((0, 0, .3), (math.radians(80), 0, .4), type="PANO")
     settings = scene.camera.data.cycles
     settings.panorama_type = "EQUIRECTANGULAR"

@@ -132,6 +132,22 @@ def pixels_of(path):
     return pixels.reshape(height, width, 4)
 
 
+def principled(name, colour, **values):
+    """A material of the Principled node with that base colour and values by the names of inputs."""
+    material, _tree, node = node_material(name)
+    node.inputs["Base Color"].default_value = (*colour, 1)
+    for key, value in values.items():
+        node.inputs[key].default_value = value
+    return material
+
+
+def block_means(pixels, size):
+    """Means of size x size blocks of the colours; rows and columns that fill no block are left out."""
+    rows, columns = (n // size for n in pixels.shape[:2])
+    part = pixels[:rows * size, :columns * size, :3]
+    return part.reshape(rows, size, columns, size, 3).mean(axis=(1, 3))
+
+
 def save_png(pixels, path):
     """Writes pixels with the sRGB curve, to look at them."""
     height, width = pixels.shape[:2]

@@ -17,10 +17,8 @@ def same(label, limit, samples=64, size=8):
     """Compares the means of blocks of the picture."""
     ours = support.render("ORIEL", samples, label)
     theirs = support.render("CYCLES", samples, label)
-    height, width = ours.shape[:2]
-    def blocks(p):
-        return p[..., :3].reshape(height // size, size, width // size, size, 3).mean(axis=(1, 3))
-    error = numpy.abs(blocks(ours) - blocks(theirs)).mean() / max(blocks(theirs).mean(), 1e-6)
+    a, b = support.block_means(ours, size), support.block_means(theirs, size)
+    error = numpy.abs(a - b).mean() / max(b.mean(), 1e-6)
     if error > limit:
         support.save_png(numpy.concatenate([ours, theirs], axis=1), support.FOLDER / "failed.png")
     support.check(error <= limit, f"{label}: mean difference {error:.2%}")

@@ -16,10 +16,14 @@ def diffuse(writer, graph, node):
     return surface
 
 
-def glossy(writer, graph, node):
+def sharp_or_rough(graph, node):
+    """The roughness of a node; 0 if its distribution is sharp."""
     rough = graph.scalar(graph.value(node.inputs["Roughness"]))
-    if getattr(node, "distribution", "") == "SHARP":
-        rough = 0.0
+    return 0.0 if getattr(node, "distribution", "") == "SHARP" else rough
+
+
+def glossy(writer, graph, node):
+    rough = sharp_or_rough(graph, node)
     single = getattr(node, "distribution", "") == "GGX"
     weight = single_scattering(1.0, rough, 1.0) if single else 1.0
     surface = Surface(diffuse_weight=0.0, reflectivity=weight, brdf_fresnel=False,
@@ -31,9 +35,7 @@ def glossy(writer, graph, node):
 
 
 def glass(writer, graph, node):
-    rough = graph.scalar(graph.value(node.inputs["Roughness"]))
-    if getattr(node, "distribution", "") == "SHARP":
-        rough = 0.0
+    rough = sharp_or_rough(graph, node)
     ior = graph.scalar(graph.value(node.inputs["IOR"]))
     ior = 1.45 if isinstance(ior, mi.Connection) else ior
     colour = graph.colour(graph.value(node.inputs["Color"]))

@@ -6,6 +6,7 @@
 
 #include "base/math.h"
 #include "base/vec.h"
+#include "models/gltf/shader_call.h"
 #include "scene/scene.h"
 
 namespace oriel::models::gltf {
@@ -18,16 +19,9 @@ std::vector<double> numbers_of(const scene::ShaderUse& use, std::string_view nam
   return {};
 }
 
-/// The call behind a reference; null if there is none.
-const scene::ShaderUse* call_behind(const scene::Scene& scene, const scene::ShaderUse& use) {
-  if (use.reference.empty()) return &use;
-  const auto* element = scene.get<scene::ShaderElement>(use.reference);
-  return element && !element->functions.empty() ? &element->functions.back() : nullptr;
-}
-
 float by_exposure(const scene::Scene& scene, const scene::Camera& camera) {
   for (const scene::ShaderUse& use : camera.lens) {
-    const scene::ShaderUse* call = call_behind(scene, use);
+    const scene::ShaderUse* call = call_of(scene, use);
     if (!call || call->type != "mia_exposure_photographic") continue;
     const std::vector<double> factor = numbers_of(*call, "cm2_factor");
     return factor.empty() ? 1 : static_cast<float>(factor[0]);

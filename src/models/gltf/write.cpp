@@ -15,6 +15,7 @@
 #include "base/math.h"
 #include "models/gltf/plain_file.h"
 #include "models/gltf/scene_unit.h"
+#include "models/gltf/shader_call.h"
 #include "models/gltf/write_material.h"
 #include "models/import.h"
 #include "models/import_view.h"
@@ -142,11 +143,8 @@ class Writer {
 
   /// Whether the light can be written; its node then looks along the light's direction.
   bool add_light(const scene::Light& light, const Mat4& to_world, json& node) {
-    const scene::ShaderUse* use = light.shaders.empty() ? nullptr : &light.shaders.front();
-    if (use && !use->reference.empty()) {
-      const auto* element = scene_.get<scene::ShaderElement>(use->reference);
-      use = element && !element->functions.empty() ? &element->functions.back() : nullptr;
-    }
+    const scene::ShaderUse* use =
+        light.shaders.empty() ? nullptr : call_of(scene_, light.shaders.front());
     const std::string type = use ? use->type : "none";
     const bool physical = type == "physical_light", infinite = type == "mib_light_infinite";
     if (!physical && !infinite && type != "mib_light_point" && type != "mib_light_spot") {

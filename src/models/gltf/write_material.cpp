@@ -13,6 +13,7 @@
 #include "bsdf/gloss.h"
 #include "image/files.h"
 #include "models/gltf/plain_file.h"
+#include "models/gltf/shader_call.h"
 #include "scene/scene.h"
 
 namespace oriel::models::gltf {
@@ -30,13 +31,6 @@ float reflectance_of(float ior) { return sqr((ior - 1) / (ior + 1)); }
 float index_of_reflectance(float f0) {
   const float root = std::sqrt(clamp(f0, 0, .99f));
   return (1 + root) / (1 - root);
-}
-
-/// The call behind a name or itself; null: none.
-const scene::ShaderUse* call_of(const scene::Scene& scene, const scene::ShaderUse& use) {
-  if (use.reference.empty()) return &use;
-  const auto* element = scene.get<scene::ShaderElement>(use.reference);
-  return element && !element->functions.empty() ? &element->functions.back() : nullptr;
 }
 
 /// Values of the parameters, and the defaults of mia_material for the others.

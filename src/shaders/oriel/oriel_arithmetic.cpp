@@ -29,7 +29,6 @@ struct HueSaturation {
 
 using Operation = float (*)(float a, float b, float c);
 
-float whole_below(float x) { return std::floor(x); }
 float fraction(float x) { return x - std::floor(x); }
 float quotient(float a, float b) { return b != 0 ? a / b : 0; }
 
@@ -78,7 +77,7 @@ constexpr Operation kOperations[] = {
     smooth_minimum,
     [](float a, float b, float c) { return -smooth_minimum(-a, -b, c); },
     [](float a, float, float) { return std::floor(a + 0.5f); },
-    [](float a, float, float) { return whole_below(a); },
+    [](float a, float, float) { return std::floor(a); },
     [](float a, float, float) { return std::ceil(a); },
     [](float a, float, float) { return std::trunc(a); },
     [](float a, float, float) { return fraction(a); },

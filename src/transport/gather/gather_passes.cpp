@@ -39,19 +39,12 @@ sampling::Sampler visit_pixel(const World& world, int x, int y, int pass, std::u
   return sampler;
 }
 
-template <class Stream>
-void visit_ray_counts(Stream& stream, RayCounts& rays) {
-  for (std::uint64_t* count : {&rays.eye, &rays.reflect, &rays.refract, &rays.gather, &rays.shadow,
-                               &rays.probe, &rays.environment})
-    stream.value(*count);
-}
-
 /// Completes rows of which this process made its own, and their rays. Returns false if the work
 /// ends.
 bool exchange_rows(WorkShare& share, std::vector<std::vector<GatherRecord>>& rows,
                    RayCounts& rays) {
   ByteWriter own;
-  visit_ray_counts(own, rays);
+  visit_counts(own, rays);
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (!share.owns(r)) continue;
     own.value(std::uint64_t{r});
@@ -62,7 +55,7 @@ bool exchange_rows(WorkShare& share, std::vector<std::vector<GatherRecord>>& row
   for (const std::string& bytes : all) {
     ByteReader in(bytes);
     RayCounts of_process;
-    visit_ray_counts(in, of_process);
+    visit_counts(in, of_process);
     rays += of_process;
     while (!in.rest().empty()) {
       std::uint64_t r = 0;
