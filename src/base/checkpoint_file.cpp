@@ -164,17 +164,8 @@ void CheckpointReader::read(std::uint64_t at, void* data, std::size_t size) cons
 }
 
 void CheckpointReader::get(void* data, std::size_t size) {
-  if (size > size_ - at_) throw CheckpointError("it is damaged: its arrays end early");
   read(at_, data, size);
   at_ += size;
-}
-
-std::size_t CheckpointReader::count(std::size_t element_size) {
-  std::uint64_t number = 0;
-  value(number);
-  if (number > (size_ - at_) / element_size)
-    throw CheckpointError("it is damaged: its arrays end early");
-  return static_cast<std::size_t>(number);
 }
 
 void CheckpointReader::end() const {

@@ -13,15 +13,29 @@
 #include "prepare/stereo.h"
 
 namespace oriel::farm {
+
+using State = UnitRecord::State;
+
+// The files of a job. An unknown state is the first one.
+NLOHMANN_JSON_SERIALIZE_ENUM(UnitRecord::State, {{State::Waiting, "waiting"},
+                                                 {State::Running, "running"},
+                                                 {State::Stopped, "stopped"},
+                                                 {State::Done, "done"},
+                                                 {State::Failed, "failed"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(UnitRecord, state, attempts, seconds, node, task, message)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JobResources, nodes, cpus, time, partition, account, memory,
+                                   lead, further)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, name, program, scene, output, frames, outputs, parts, chunk,
+                                   retries, libraries, code, mpi, maps, stage, stagger, render,
+                                   resources)
+
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using State = UnitRecord::State;
 
 constexpr std::size_t kMaxJobText = std::size_t{1} << 26;
 constexpr int kMaxUnits = 10'000'000;
-constexpr const char* kStateNames[] = {"waiting", "running", "stopped", "done", "failed"};
 
 std::string json_text(const json& value) {
   return value.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
@@ -33,25 +47,6 @@ json read_json(const std::string& path) {
   json value = json::parse(file.read(kMaxJobText), nullptr, false);
   if (!value.is_object()) throw std::runtime_error(fmt::format("'{}' is damaged", path));
   return value;
-}
-
-json resources_json(const JobResources& r) {
-  return {{"nodes", r.nodes},         {"cpus", r.cpus},       {"time", r.time},
-          {"partition", r.partition}, {"account", r.account}, {"memory", r.memory},
-          {"lead", r.lead},           {"further", r.further}};
-}
-
-JobResources resources_of(const json& from) {
-  JobResources r;
-  r.nodes = from.at("nodes");
-  r.cpus = from.at("cpus");
-  r.time = from.at("time");
-  r.partition = from.at("partition");
-  r.account = from.at("account");
-  r.memory = from.at("memory");
-  r.lead = from.at("lead");
-  r.further = from.at("further").get<std::vector<std::string>>();
-  return r;
 }
 
 void check_job(const Job& job, const std::string& path) {
@@ -95,26 +90,7 @@ std::string Job::record_file(int index) const {
   return path(fmt::format("units/frame-{:04}.part-{}.json", u.frame, u.part));
 }
 
-void write_job(const Job& job) {
-  const json value = {{"name", job.name},
-                      {"program", job.program},
-                      {"scene", job.scene},
-                      {"output", job.output},
-                      {"maps", job.maps},
-                      {"outputs", job.outputs},
-                      {"mpi", job.mpi},
-                      {"frames", job.frames},
-                      {"parts", job.parts},
-                      {"chunk", job.chunk},
-                      {"retries", job.retries},
-                      {"libraries", job.libraries},
-                      {"code", job.code},
-                      {"stage", job.stage},
-                      {"stagger", job.stagger},
-                      {"render", job.render},
-                      {"resources", resources_json(job.resources)}};
-  write_durably(job.path("job.json"), json_text(value));
-}
+void write_job(const Job& job) { write_durably(job.path("job.json"), json_text(job)); }
 
 Job read_job(const std::string& folder) {
   std::error_code error;
@@ -123,23 +99,7 @@ Job read_job(const std::string& folder) {
   const std::string path = job.path("job.json");
   const json from = read_json(path);
   try {
-    job.name = from.at("name");
-    job.program = from.at("program");
-    job.scene = from.at("scene");
-    job.output = from.at("output");
-    job.maps = from.at("maps");
-    job.mpi = from.value("mpi", 0);
-    job.outputs = from.at("outputs").get<std::vector<std::string>>();
-    job.frames = from.at("frames").get<std::vector<int>>();
-    job.parts = from.at("parts");
-    job.chunk = from.at("chunk");
-    job.retries = from.at("retries");
-    job.libraries = from.at("libraries");
-    job.code = from.at("code");
-    job.stage = from.at("stage");
-    job.stagger = from.at("stagger");
-    job.render = from.at("render").get<std::vector<std::string>>();
-    job.resources = resources_of(from.at("resources"));
+    from.get_to(job);
   } catch (const json::exception& e) {
     throw std::runtime_error(fmt::format("'{}' is damaged: {}", path, e.what()));
   }
@@ -148,32 +108,15 @@ Job read_job(const std::string& folder) {
 }
 
 void write_record(const Job& job, int unit, const UnitRecord& record) {
-  const json value = {{"state", kStateNames[static_cast<int>(record.state)]},
-                      {"attempts", record.attempts},
-                      {"seconds", record.seconds},
-                      {"node", record.node},
-                      {"task", record.task},
-                      {"message", record.message}};
-  write_durably(job.record_file(unit), json_text(value));
+  write_durably(job.record_file(unit), json_text(record));
 }
 
 UnitRecord read_record(const Job& job, int unit) {
-  UnitRecord record;
   try {
-    const json from = read_json(job.record_file(unit));
-    const std::string state = from.at("state");
-    const auto* found = std::find(std::begin(kStateNames), std::end(kStateNames), state);
-    if (found == std::end(kStateNames)) return record;
-    record.attempts = from.at("attempts");
-    record.seconds = from.at("seconds");
-    record.node = from.at("node");
-    record.task = from.at("task");
-    record.message = from.at("message");
-    record.state = static_cast<State>(found - std::begin(kStateNames));
+    return read_json(job.record_file(unit)).get<UnitRecord>();
   } catch (const std::exception&) {
     return {};  // of an older version, or half copied
   }
-  return record;
 }
 
 bool has_picture(const Job& job, int frame_index) {
