@@ -5,13 +5,12 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <tbb/task_arena.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <thread>
+#include <set>
 
 #include "base/byte_stream.h"
 #include "checkpoint_labels.h"
@@ -22,6 +21,9 @@ namespace oriel::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Bytes of messages that are received at the same time, unless one is larger.
+constexpr std::uint64_t kMostArriving = std::uint64_t{64} << 20;
 
 int number_in_environment(const char* name) {
   const char* text = std::getenv(name);
@@ -77,15 +79,10 @@ std::string host_name() {
 
 }  // namespace
 
-double process_seconds() {
+double cpu_seconds(clockid_t clock) {
   timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  clock_gettime(clock, &t);
   return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
-}
-
-void LookPause::wait() {
-  std::this_thread::sleep_for(next_);
-  next_ = std::min(2 * next_, kLongest);
 }
 
 std::unique_ptr<Ranks> Ranks::join() {
@@ -133,43 +130,63 @@ Ranks::~Ranks() {
 }
 
 void Ranks::send(int to, MessageKind kind, std::string bytes) {
-  mpi_->send(to, static_cast<int>(kind), bytes.data(), bytes.size());
+  begin_send(to, kind, std::make_shared<const std::string>(std::move(bytes)));
+}
+
+void Ranks::begin_send(int to, MessageKind kind, SharedBytes bytes) {
+  auto owner = std::make_unique<SharedBytes>(std::move(bytes));
+  const std::string& data = **owner;
+  const auto release = [](void* delivered) {
+    const std::unique_ptr<SharedBytes> ends(static_cast<SharedBytes*>(delivered));
+  };
+  mpi_->send(to, static_cast<int>(kind), data.data(), data.size(), release, owner.release());
 }
 
 void Ranks::flush() {
-  LookPause pause;
-  while (mpi_->is_sending()) pause.wait();
+  while (mpi_->is_sending()) LookPause().wait();
 }
 
-void Ranks::put_back(std::deque<RankMessage> messages) { waiting_ = std::move(messages); }
+bool Ranks::is_busy() { return mpi_->is_sending() != 0 || !arriving_.empty(); }
 
 std::optional<RankMessage> Ranks::receive() {
-  RankMessage message;
-  if (!waiting_.empty()) {
-    message = std::move(waiting_.front());
-    waiting_.pop_front();
-    return message;
-  }
+  RankMessage found;
   int kind = 0;
-  const void* data = nullptr;
-  std::uint64_t size = 0;
-  if (!mpi_->receive(&message.from, &kind, &data, &size)) return std::nullopt;
-  message.kind = static_cast<MessageKind>(kind);
-  message.bytes.assign(static_cast<const char*>(data), size);
-  return message;
+  std::uint64_t size = 0, bytes = 0;
+  for (const Arriving& a : arriving_) bytes += a.message.bytes.size();
+  for (; bytes < kMostArriving && mpi_->find(&found.from, &kind, &size) != 0; bytes += size) {
+    RankMessage& message = arriving_.emplace_back().message;
+    message.from = found.from;
+    message.kind = static_cast<MessageKind>(kind);
+    message.bytes.resize(size);
+    arriving_.back().handle = mpi_->begin_receive(message.bytes.data());
+  }
+  // No message overtakes one of the same rank.
+  std::set<int> late;
+  for (auto i = arriving_.begin(); i != arriving_.end(); ++i) {
+    if (late.contains(i->message.from)) continue;
+    if (mpi_->is_received(i->handle) != 0) {
+      RankMessage message = std::move(i->message);
+      arriving_.erase(i);
+      return message;
+    }
+    late.insert(i->message.from);
+  }
+  return std::nullopt;
 }
 
 RankMessage Ranks::wait() {
   LookPause pause;
   while (true) {
     if (auto message = receive()) return std::move(*message);
+    if (is_busy()) pause.reset();
     pause.wait();
   }
 }
 
 std::string Ranks::from_leader(std::string words) {
   if (leads()) {
-    for (int to = 1; to < count_; ++to) send(to, MessageKind::Word, words);
+    const auto shared = std::make_shared<const std::string>(words);
+    for (int to = 1; to < count_; ++to) begin_send(to, MessageKind::Word, shared);
     return words;
   }
   while (true) {
@@ -198,11 +215,11 @@ std::vector<std::string> Ranks::to_leader(const std::string& words) {
 }
 
 void Ranks::end_start() {
-  if (work_.start_seconds == 0) work_.start_seconds = process_seconds();
+  if (work_.start_seconds == 0) work_.start_seconds = cpu_seconds();
 }
 
 std::vector<RankWork> Ranks::finish() {
-  work_.seconds = process_seconds();
+  work_.seconds = cpu_seconds();
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   work_.memory = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;

@@ -2,12 +2,16 @@
 // The processes that render one picture together, connected by MPI.
 #pragma once
 
+#include <time.h>
+
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 struct OrielMpi;
@@ -27,11 +31,16 @@ struct RankMessage {
 /// of the processor.
 class LookPause {
  public:
-  void wait();
+  std::chrono::milliseconds next() {
+    const auto pause = next_;
+    next_ = std::min(2 * next_, kLongest);
+    return pause;
+  }
+  void wait() { std::this_thread::sleep_for(next()); }
   void reset() { next_ = kShortest; }
 
  private:
-  static constexpr std::chrono::milliseconds kShortest{1}, kLongest{16};
+  static constexpr std::chrono::milliseconds kShortest{2}, kLongest{32};
   std::chrono::milliseconds next_ = kShortest;
 };
 
@@ -43,8 +52,9 @@ struct RankWork {
   std::uint64_t memory = 0;   ///< bytes at most
 };
 
-/// Processor time of this process so far.
-double process_seconds();
+/// Processor time so far: CLOCK_PROCESS_CPUTIME_ID of this process, CLOCK_THREAD_CPUTIME_ID of this
+/// thread.
+double cpu_seconds(clockid_t clock = CLOCK_PROCESS_CPUTIME_ID);
 
 /// The ranks of this job. Rank 0 leads: it reads and writes all files of the render.
 ///
@@ -71,8 +81,8 @@ class Ranks {
   /// Waits until all messages are delivered.
   void flush();
   std::optional<RankMessage> receive();
-  /// Messages that receive() returns first.
-  void put_back(std::deque<RankMessage> messages);
+  /// Whether messages are on their way to or from this rank.
+  bool is_busy();
   /// Waits for a message.
   RankMessage wait();
   /// The words of rank 0, in every rank.
@@ -89,13 +99,20 @@ class Ranks {
   std::vector<RankWork> finish();
 
  private:
+  using SharedBytes = std::shared_ptr<const std::string>;
+
   Ranks() = default;
   void greet();
+  void begin_send(int to, MessageKind kind, SharedBytes bytes);
 
   const OrielMpi* mpi_ = nullptr;
   int rank_ = 0, count_ = 1;
   std::vector<int> threads_;
-  std::deque<RankMessage> waiting_;
+  struct Arriving {
+    RankMessage message;
+    void* handle;
+  };
+  std::list<Arriving> arriving_;  ///< in the order of their headers
   RankWork work_;
   bool finished_ = false;
 };
@@ -103,9 +120,9 @@ class Ranks {
 /// Counts the processor time of a block as useful work of a rank. Inputs:  ranks: may be null.
 class UsefulWork {
  public:
-  explicit UsefulWork(Ranks* ranks) : ranks_(ranks), begin_(ranks ? process_seconds() : 0) {}
+  explicit UsefulWork(Ranks* ranks) : ranks_(ranks), begin_(ranks ? cpu_seconds() : 0) {}
   ~UsefulWork() {
-    if (ranks_) ranks_->add_useful_seconds(process_seconds() - begin_);
+    if (ranks_) ranks_->add_useful_seconds(cpu_seconds() - begin_);
   }
   UsefulWork(const UsefulWork&) = delete;
   UsefulWork& operator=(const UsefulWork&) = delete;

@@ -35,6 +35,7 @@
 #include "sdk/missing_roles.h"
 #include "shaders/registry.h"
 #include "shared_picture.h"
+#include "tile_server.h"
 
 namespace oriel::app {
 namespace {
@@ -360,7 +361,6 @@ class FrameRenderer {
     const double since = seconds_since(last_write_);
     if (since < kSecondsBetweenWrites || since * kWriteShare < write_seconds_) return;
     if (p.remaining && *p.remaining < kSecondsBetweenWrites) return;
-    const UsefulWork work(plan_.ranks);
     const Clock::time_point start = Clock::now();
     pictures_.write_pass(files_, writer());
     last_write_ = Clock::now();

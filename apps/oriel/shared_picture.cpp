@@ -3,16 +3,15 @@
 
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
-#include <time.h>
 
 #include <algorithm>
 #include <chrono>
-#include <deque>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "base/byte_stream.h"
+#include "base/checkpoint_file.h"
 #include "base/file_text.h"
 #include "base/parallel.h"
 #include "base/temporary_folder.h"
@@ -20,58 +19,14 @@
 #include "command.h"
 #include "interrupt.h"
 #include "render_frames.h"
+#include "tile_messages.h"
 
 namespace oriel::app {
 namespace {
 
-constexpr std::size_t kMaxPortion = 256, kPortionsOfRank = 2;
-
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
-}
-
-/// Tiles and their pixels, as messages carry them.
-struct TilesMessage {
-  std::int32_t picture = 0;
-  std::vector<int> held;   ///< tiles whose pixels the receiver has: their targets are sent
-  std::vector<int> tiles;  ///< other tiles
-  RayCounts rays;
-  std::string targets, pixels;
-
-  std::string bytes() const {
-    ByteWriter out;
-    out.value(picture);
-    out.list(held);
-    out.list(tiles);
-    visit_counts(out, rays);
-    out.value(std::uint64_t{targets.size()});
-    return out.take() + targets + pixels;
-  }
-};
-
-/// Its beginning and its data, which refers to the message.
-struct ReceivedTiles {
-  TilesMessage head;
-  std::string_view targets, pixels;
-};
-
-ReceivedTiles read_tiles(const std::string& bytes) {
-  ReceivedTiles received;
-  TilesMessage& head = received.head;
-  ByteReader in(bytes);
-  in.value(head.picture);
-  in.list(head.held);
-  in.list(head.tiles);
-  visit_counts(in, head.rays);
-  std::uint64_t targets = 0;
-  in.value(targets);
-  const std::string_view data = in.rest();
-  received.targets = data.substr(0, static_cast<std::size_t>(targets));
-  received.pixels = data.substr(received.targets.size());
-  return received;
-}
+/// Of the tiles that are left, each rank gets one of kPortionsToTheEnd of its share: the last ones
+/// of a rank of half the speed end about when those of the others do (bench/farm_tiles.py).
+constexpr std::size_t kMaxPortion = 256, kPortionsOfRank = 2, kPortionsToTheEnd = 8;
 
 }  // namespace
 
@@ -134,7 +89,8 @@ TileLeader::TileLeader(Ranks& ranks, RenderSession& session, int picture)
       picture_(picture),
       holder_(static_cast<std::size_t>(
                   TileGrid(session.film().width(), session.film().height()).count()),
-              -1) {}
+              -1),
+      begin_(cpu_seconds()) {}
 
 bool share_maps(Ranks& ranks, RenderSession& session, const Progressive::Callbacks& callbacks,
                 const std::atomic<bool>* cancel) {
@@ -193,7 +149,8 @@ std::optional<int> TileLeader::next_tile() {
 TileLeader::Portion TileLeader::next_portion(int rank) {
   const std::lock_guard lock(mutex_);
   const std::size_t threads = static_cast<std::size_t>(ranks_.threads_of(rank));
-  const std::size_t share = queue_.size() / (2 * static_cast<std::size_t>(ranks_.count()));
+  const std::size_t share =
+      queue_.size() / (kPortionsToTheEnd * static_cast<std::size_t>(ranks_.count()));
   const std::size_t size =
       std::min(std::clamp(share, std::min(threads, kMaxPortion), kMaxPortion), queue_.size());
   Portion portion;
@@ -208,29 +165,33 @@ TileLeader::Portion TileLeader::next_portion(int rank) {
 }
 
 void TileLeader::send(int rank, const Portion& portion) {
-  TilesMessage message;
-  message.picture = picture_;
+  TilesHead head;
+  head.picture = picture_;
   for (const int tile : portion)
-    (holder_[static_cast<std::size_t>(tile)] == rank ? message.held : message.tiles)
-        .push_back(tile);
-  message.targets = session_.pack_targets(message.held);
-  message.pixels = session_.pack_tiles(message.tiles);
-  ranks_.send(rank, MessageKind::Tiles, message.bytes());
+    (holder_[static_cast<std::size_t>(tile)] == rank ? head.held : head.tiles).push_back(tile);
+  ByteWriter out;
+  head.visit(out);
+  session_.pack_targets(out, head.held);
+  session_.pack_tiles(out, head.tiles);
+  ranks_.send(rank, MessageKind::Tiles, out.take());
 }
 
 void TileLeader::take(const RankMessage& message) {
   // A signal that one rank got ends the render, as if rank 0 had got it.
   if (message.kind == MessageKind::Interrupted) interrupted() = true;
   if (message.kind != MessageKind::Done) return;
-  const ReceivedTiles received = read_tiles(message.bytes);
-  if (received.head.picture != picture_) return;  // one that ended before
-  const std::vector<int>& tiles = received.head.tiles;
+  ByteReader in(message.bytes);
+  TilesHead head;
+  head.visit(in);
+  if (head.picture != picture_) return;  // one that ended before
+  const std::vector<int>& tiles = head.tiles;
   std::vector<Portion>& away = away_[message.from];
-  if (away.empty() ||
-      !std::is_permutation(tiles.begin(), tiles.end(), away.front().begin(), away.front().end()))
-    throw std::runtime_error("a rank sent other tiles");
-  away.erase(away.begin());
-  session_.add_tiles(tiles, received.pixels, received.head.rays);
+  const auto portion = std::find_if(away.begin(), away.end(), [&](const Portion& p) {
+    return std::is_permutation(tiles.begin(), tiles.end(), p.begin(), p.end());
+  });
+  if (portion == away.end()) throw std::runtime_error("a rank sent other tiles");
+  away.erase(portion);
+  session_.add_tiles(in, tiles, head.rays);
   const std::lock_guard lock(mutex_);
   for (const int tile : tiles) holder_[static_cast<std::size_t>(tile)] = message.from;
 }
@@ -240,23 +201,22 @@ void TileLeader::serve(const std::function<bool()>& stops) {
   while (!stops()) {
     bool idle = true;
     while (const auto message = ranks_.receive()) take(*message), idle = false;
-    bool waits = false;
-    for (int rank = 1; rank < ranks_.count(); ++rank) {
-      std::vector<Portion>& away = away_[rank];
-      while (away.size() < kPortionsOfRank) {
+    // First those that have nothing to do: at the end of a pass there is not enough for all.
+    for (std::size_t most = 1; most <= kPortionsOfRank; ++most)
+      for (int rank = 1; rank < ranks_.count(); ++rank) {
+        std::vector<Portion>& away = away_[rank];
+        if (away.size() >= most) continue;
         Portion portion = next_portion(rank);
         if (portion.empty()) break;
         send(rank, portion);
         away.push_back(std::move(portion));
         idle = false;
       }
-      waits |= !away.empty();
-    }
+    const bool waits =
+        std::any_of(away_.begin(), away_.end(), [](const auto& a) { return !a.second.empty(); });
     if (const std::lock_guard lock(mutex_); !waits && queue_.empty()) return;
-    if (idle)
-      pause.wait();
-    else
-      pause.reset();
+    if (!idle || ranks_.is_busy()) pause.reset();
+    if (idle) pause.wait();
   }
 }
 
@@ -273,65 +233,24 @@ void TileLeader::spread(const std::vector<int>& tiles, const std::function<void(
     } catch (...) {
       failure = std::current_exception();
     }
+    message_seconds_ += cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
   });
   const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   parallel_for(threads, [&](std::size_t) {
-    const double begin = thread_seconds();
     while (!stops()) {
       const std::optional<int> tile = next_tile();
       if (!tile) break;
       render_tile(*tile);
     }
-    const double used = thread_seconds() - begin;
-    const std::lock_guard lock(mutex_);
-    ranks_.add_useful_seconds(used);
   });
   server.join();
   if (failure) std::rethrow_exception(failure);
 }
 
 void TileLeader::end() {
+  ranks_.add_useful_seconds(cpu_seconds() - begin_ - message_seconds_);
   for (int rank = 1; rank < ranks_.count(); ++rank)
     ranks_.send(rank, MessageKind::EndOfPicture, {});
-}
-
-void serve_tiles(Ranks& ranks, RenderSession& session) {
-  ranks.end_start();
-  std::deque<RankMessage> waiting;
-  while (true) {
-    if (waiting.empty()) waiting.push_back(ranks.wait());
-    while (auto message = ranks.receive()) waiting.push_back(std::move(*message));
-    // The end of an interrupted picture overtakes its tiles.
-    const auto end = std::find_if(waiting.begin(), waiting.end(), [](const RankMessage& m) {
-      return m.kind == MessageKind::EndOfPicture;
-    });
-    if (end != waiting.end()) {
-      waiting.erase(waiting.begin(), end + 1);
-      return ranks.put_back(std::move(waiting));
-    }
-    const RankMessage message = std::move(waiting.front());
-    waiting.pop_front();
-    if (message.kind != MessageKind::Tiles) continue;
-    const ReceivedTiles received = read_tiles(message.bytes);
-    session.unpack_targets(received.head.held, received.targets);
-    session.unpack_tiles(received.head.tiles, received.pixels);
-    TilesMessage answer;
-    answer.picture = received.head.picture;
-    answer.tiles = received.head.held;
-    answer.tiles.insert(answer.tiles.end(), received.head.tiles.begin(), received.head.tiles.end());
-    {
-      const UsefulWork work(&ranks);
-      answer.rays = session.draw_tiles(answer.tiles, &interrupted());
-    }
-    if (interrupted()) {  // the tiles lack samples; rank 0 renders them again
-      ranks.send(0, MessageKind::Interrupted, {});
-      ranks.flush();
-      continue;
-    }
-    answer.pixels = session.pack_tiles(answer.tiles);
-    ranks.send(0, MessageKind::Done, answer.bytes());
-    ranks.flush();
-  }
 }
 
 }  // namespace oriel::app

@@ -40,7 +40,7 @@ class TileLeader {
   /// For Progressive::Callbacks::spread.
   void spread(const std::vector<int>& tiles, const std::function<void(int)>& render_tile,
               const std::function<bool()>& stops);
-  /// After the picture: other ranks wait for the next one.
+  /// After the picture: other ranks wait for the next one. All but messages was useful work.
   void end();
 
  private:
@@ -58,10 +58,9 @@ class TileLeader {
   std::mutex mutex_;
   std::vector<int> queue_;                    ///< tiles, the next one last
   std::vector<int> holder_;                   ///< of each tile: the rank that has its pixels
-  std::map<int, std::vector<Portion>> away_;  ///< portions of each rank, in the order of sending
+  std::map<int, std::vector<Portion>> away_;  ///< portions of each rank
+  double begin_;                              ///< processor time before the picture
+  double message_seconds_ = 0;                ///< processor time of the thread for messages
 };
-
-/// Renders tiles for rank 0 until the picture ends.
-void serve_tiles(Ranks& ranks, RenderSession& session);
 
 }  // namespace oriel::app

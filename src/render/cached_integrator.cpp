@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/byte_stream.h"
+#include "base/checkpoint_file.h"
 #include "render/cache_state.h"
 #include "render/learn_light.h"
 #include "transport/gather/gather_map.h"

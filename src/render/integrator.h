@@ -11,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include "base/checkpoint_file.h"
 #include "base/diagnostic.h"
 #include "runtime/camera.h"
 #include "runtime/window.h"
@@ -23,6 +22,9 @@
 #include "transport/work_share.h"
 
 namespace oriel {
+
+class CheckpointReader;
+class CheckpointWriter;
 
 /// Files of caches that the options name; only allowed ones. Relative names are resolved.
 struct MapFiles {

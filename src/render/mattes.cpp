@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/byte_stream.h"
+#include "base/checkpoint_file.h"
 
 namespace oriel {
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "base/checkpoint_file.h"
 #include "render/filter.h"
 #include "transport/path/path.h"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/progressive.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -352,14 +354,20 @@ void Progressive::render_tile(int tile, const std::function<std::uint64_t(const 
   callbacks.progress(p);
 }
 
-void Progressive::loop_over(const std::vector<int>& tiles,
+void Progressive::loop_over(const std::function<std::optional<int>()>& next,
                             const std::function<std::uint64_t(const Row&)>& render_row,
+                            const std::function<void(int)>& drawn,
                             const std::atomic<bool>* cancel) {
   const TileGrid grid(film_.width(), film_.height());
   cancelled_ = timed_out_ = paused_ = false;
-  parallel_for(tiles.size(), [&](std::size_t i) {
-    const TileBounds b = grid.bounds(tiles[i]);
-    for (int y = b.y0; y < b.y1 && !(cancel && *cancel); ++y) drawn_ += render_row({b.x0, b.x1, y});
+  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  parallel_for(threads, [&](std::size_t) {
+    while (const std::optional<int> tile = next()) {
+      const TileBounds b = grid.bounds(*tile);
+      for (int y = b.y0; y < b.y1 && !(cancel && *cancel); ++y)
+        drawn_ += render_row({b.x0, b.x1, y});
+      drawn(*tile);
+    }
   });
 }
 

@@ -102,10 +102,11 @@ class Progressive {
   StopReason run(const Sample& sample, const Callbacks& callbacks = {},
                  const std::atomic<bool>* cancel = nullptr);
 
-  /// Draws the samples of some tiles up to given targets: the work of another process.
+  /// Draws the samples of tiles up to given targets: the work of another process. Each thread calls
+  /// next() until there is no tile, and drawn() after a tile.
   template <class Sample>
-  void draw_tiles(const Sample& sample, const std::vector<int>& tiles,
-                  const std::atomic<bool>* cancel = nullptr);
+  void draw_tiles(const Sample& sample, const std::function<std::optional<int>()>& next,
+                  const std::function<void(int)>& drawn, const std::atomic<bool>* cancel = nullptr);
   /// Sets targets of pixels without tests, before draw_tiles().
   std::vector<std::uint32_t>& targets() { return state_.targets; }
   /// Counts samples that another process drew.
@@ -142,9 +143,9 @@ class Progressive {
   std::function<std::uint64_t(const Row&)> row_renderer(const Sample& sample,
                                                         const Callbacks& callbacks,
                                                         const std::atomic<bool>* cancel);
-  void loop_over(const std::vector<int>& tiles,
+  void loop_over(const std::function<std::optional<int>()>& next,
                  const std::function<std::uint64_t(const Row&)>& render_row,
-                 const std::atomic<bool>* cancel);
+                 const std::function<void(int)>& drawn, const std::atomic<bool>* cancel);
   StopReason run_rows(const std::function<std::uint64_t(const Row&)>& render_row,
                       const Callbacks& callbacks, const std::atomic<bool>* cancel);
   void run_pass(const std::function<std::uint64_t(const Row&)>& render_row,
@@ -249,10 +250,11 @@ StopReason Progressive::run(const Sample& sample, const Callbacks& callbacks,
 }
 
 template <class Sample>
-void Progressive::draw_tiles(const Sample& sample, const std::vector<int>& tiles,
+void Progressive::draw_tiles(const Sample& sample, const std::function<std::optional<int>()>& next,
+                             const std::function<void(int)>& drawn,
                              const std::atomic<bool>* cancel) {
   const Callbacks none;
-  loop_over(tiles, row_renderer(sample, none, cancel), cancel);
+  loop_over(next, row_renderer(sample, none, cancel), drawn, cancel);
 }
 
 }  // namespace oriel

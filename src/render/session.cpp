@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/byte_stream.h"
+#include "base/checkpoint_file.h"
 #include "color/luminance.h"
 #include "render/eye_rays.h"
 #include "render/indirect_plan.h"
@@ -164,14 +165,15 @@ void RenderSession::with_sampler(const Draw& draw) {
     for (const PerThread& thread : threads) sum += thread.counts;
     return sum;
   };
-  draw(draw_one);
+  draw(draw_one, [&threads] { return std::exchange(threads.local().counts, {}); });
   rays_ += std::exchange(rays_of_threads_, nullptr)();
 }
 
 StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks& callbacks,
                                const std::atomic<bool>* cancel) {
   StopReason reason{};
-  with_sampler([&](const auto& draw_one) { reason = passes.run(draw_one, callbacks, cancel); });
+  with_sampler(
+      [&](const auto& draw_one, const auto&) { reason = passes.run(draw_one, callbacks, cancel); });
   return reason;
 }
 
@@ -336,42 +338,38 @@ void RenderSession::read_maps(CheckpointReader& in) {
   if (started_) progressive_.begin_at(*started_);
 }
 
-std::string RenderSession::pack_tiles(const std::vector<int>& tiles) {
-  ByteWriter out;
-  visit_pixels(out, TileGrid(film_.width(), film_.height()).pixels(tiles), progressive_.targets());
-  return out.take();
+void RenderSession::pack_tiles(ByteWriter& out, const std::vector<int>& tiles) {
+  const std::vector<std::uint32_t> pixels = TileGrid(film_.width(), film_.height()).pixels(tiles);
+  out.reserve(pixels.size() * (film_.bytes() / film_.pixel_count() + sizeof(std::uint32_t)));
+  visit_pixels(out, pixels, progressive_.targets());
 }
 
-void RenderSession::unpack_tiles(const std::vector<int>& tiles, std::string_view bytes) {
-  ByteReader in(bytes);
+void RenderSession::unpack_tiles(ByteReader& in, const std::vector<int>& tiles) {
   visit_pixels(in, TileGrid(film_.width(), film_.height()).pixels(tiles), progressive_.targets());
 }
 
-std::string RenderSession::pack_targets(const std::vector<int>& tiles) {
-  ByteWriter out;
+void RenderSession::pack_targets(ByteWriter& out, const std::vector<int>& tiles) {
   PixelState<ByteWriter>(out, TileGrid(film_.width(), film_.height()).pixels(tiles),
                          film_.pixel_count())
       .array(progressive_.targets());
-  return out.take();
 }
 
-void RenderSession::unpack_targets(const std::vector<int>& tiles, std::string_view bytes) {
-  ByteReader in(bytes);
+void RenderSession::unpack_targets(ByteReader& in, const std::vector<int>& tiles) {
   PixelState<ByteReader>(in, TileGrid(film_.width(), film_.height()).pixels(tiles),
                          film_.pixel_count())
       .array(progressive_.targets());
 }
 
-RayCounts RenderSession::draw_tiles(const std::vector<int>& tiles,
-                                    const std::atomic<bool>* cancel) {
-  const RayCounts before = std::exchange(rays_, {});
-  with_sampler([&](const auto& draw_one) { progressive_.draw_tiles(draw_one, tiles, cancel); });
-  const RayCounts drawn = rays_;
-  rays_ += before;
-  return drawn;
+void RenderSession::draw_tiles(const std::function<std::optional<int>()>& next,
+                               const std::function<void(int, const RayCounts&)>& drawn,
+                               const std::atomic<bool>* cancel) {
+  with_sampler([&](const auto& draw_one, const auto& take_counts) {
+    progressive_.draw_tiles(
+        draw_one, next, [&](int tile) { drawn(tile, take_counts()); }, cancel);
+  });
 }
 
-void RenderSession::add_tiles(const std::vector<int>& tiles, std::string_view bytes,
+void RenderSession::add_tiles(ByteReader& in, const std::vector<int>& tiles,
                               const RayCounts& rays) {
   const std::vector<std::uint32_t> pixels = TileGrid(film_.width(), film_.height()).pixels(tiles);
   const auto samples = [&] {
@@ -380,7 +378,7 @@ void RenderSession::add_tiles(const std::vector<int>& tiles, std::string_view by
     return sum;
   };
   const std::uint64_t before = samples();
-  unpack_tiles(tiles, bytes);
+  unpack_tiles(in, tiles);
   progressive_.count_drawn(samples() - before);
   rays_ += rays;
 }

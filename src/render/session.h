@@ -9,7 +9,6 @@
 #include <memory>
 #include <optional>
 
-#include "base/checkpoint_file.h"
 #include "render/budget.h"
 #include "render/film.h"
 #include "render/integrator.h"
@@ -21,6 +20,11 @@
 #include "transport/path/path_observer.h"
 
 namespace oriel {
+
+class ByteReader;
+class ByteWriter;
+class CheckpointReader;
+class CheckpointWriter;
 
 struct SessionSettings {
   BudgetRequest budget;
@@ -101,16 +105,19 @@ class RenderSession {
   /// Writes the pixels of tiles and the samples that they have to reach, for a session of another
   /// process with the same world and settings; or reads them.
   /// Errors:  std::runtime_error.
-  std::string pack_tiles(const std::vector<int>& tiles);
-  void unpack_tiles(const std::vector<int>& tiles, std::string_view bytes);
+  void pack_tiles(ByteWriter& out, const std::vector<int>& tiles);
+  void unpack_tiles(ByteReader& in, const std::vector<int>& tiles);
   /// The same of the samples that the pixels have to reach, for a session that has the pixels.
-  std::string pack_targets(const std::vector<int>& tiles);
-  void unpack_targets(const std::vector<int>& tiles, std::string_view bytes);
-  /// Draws their missing samples, after prepare() or read_maps(); some are missing if cancelled.
-  /// Returns: the rays of this call.
-  RayCounts draw_tiles(const std::vector<int>& tiles, const std::atomic<bool>* cancel = nullptr);
+  void pack_targets(ByteWriter& out, const std::vector<int>& tiles);
+  void unpack_targets(ByteReader& in, const std::vector<int>& tiles);
+  /// Draws the missing samples of tiles, after prepare() or read_maps(). Each thread calls next()
+  /// until there is no tile, and after each tile drawn() with the rays, which rays() does not
+  /// count. Tiles lack samples if cancelled.
+  void draw_tiles(const std::function<std::optional<int>()>& next,
+                  const std::function<void(int tile, const RayCounts& rays)>& drawn,
+                  const std::atomic<bool>* cancel = nullptr);
   /// Reads tiles that draw_tiles() of another process completed. The running pass is not paused.
-  void add_tiles(const std::vector<int>& tiles, std::string_view bytes, const RayCounts& rays);
+  void add_tiles(ByteReader& in, const std::vector<int>& tiles, const RayCounts& rays);
 
   /// Adds the pixels of a part that another session saved without caches. World and settings must
   /// be the same, except that this session has the whole picture.
@@ -162,7 +169,8 @@ class RenderSession {
   template <class Checkpoint>
   void visit_pixels(Checkpoint& checkpoint, const std::vector<std::uint32_t>& pixels,
                     std::vector<std::uint32_t>& targets);
-  /// Calls draw(sample) with a function that draws one sample, and counts its rays.
+  /// Calls draw(sample, take_counts) with a function that draws one sample and counts its rays, and
+  /// one that returns the counts of the calling thread and forgets them.
   template <class Draw>
   void with_sampler(const Draw& draw);
   StopReason draw(Progressive& passes, const Progressive::Callbacks& callbacks,

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <thread>
 
+#include "base/checkpoint_file.h"
 #include "base/file_text.h"
 #include "base/temporary_folder.h"
 #include "support/picture.h"

@@ -2,7 +2,7 @@
 // The module oriel_mpi: messages of any size by MPI.
 //
 // Model:   a message is a header and the data in segments, since MPI counts in int. Nothing blocks
-//          while a message is on its way, except that the segments after a header are awaited.
+//          while a message is on its way: MPI waits for the other side without sleeping.
 #include "mpi/interface.h"
 
 #define OMPI_SKIP_MPICXX 1
@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <list>
-#include <string>
+#include <memory>
 #include <vector>
 
 namespace {
@@ -26,9 +26,26 @@ struct Header {
 /// A message until it is delivered.
 struct Sending {
   Header header;
-  std::string data;
+  std::vector<MPI_Request> requests;
+  void (*release)(void*);
+  void* owner;
+};
+
+/// A message that was found, whose data is not received yet.
+struct Found {
+  int from = 0;
+  std::uint64_t size = 0;
+};
+
+/// A message whose data is being received.
+struct Receiving {
   std::vector<MPI_Request> requests;
 };
+
+Found& found_message() {
+  static Found message;
+  return message;
+}
 
 std::list<Sending>& sending() {
   static std::list<Sending> all;
@@ -45,10 +62,12 @@ int begin(int* rank, int* ranks) {
   return 1;
 }
 
-void send(int to, int kind, const void* data, std::uint64_t size) {
+void send(int to, int kind, const void* data, std::uint64_t size, void (*release)(void*),
+          void* owner) {
   Sending& message = sending().emplace_back();
   message.header = {kind, size};
-  message.data.assign(static_cast<const char*>(data), size);
+  message.release = release;
+  message.owner = owner;
   const auto start = [&](const void* bytes, std::uint64_t count, int tag) {
     MPI_Request& request = message.requests.emplace_back();
     MPI_Isend(bytes, static_cast<int>(count), MPI_BYTE, to, tag, MPI_COMM_WORLD, &request);
@@ -56,7 +75,7 @@ void send(int to, int kind, const void* data, std::uint64_t size) {
   message.requests.reserve(2 + size / kSegment);
   start(&message.header, sizeof message.header, kHeaderTag);
   for (std::uint64_t at = 0; at < size; at += kSegment)
-    start(message.data.data() + at, std::min(kSegment, size - at), kDataTag);
+    start(static_cast<const char*>(data) + at, std::min(kSegment, size - at), kDataTag);
 }
 
 int is_sending() {
@@ -64,13 +83,13 @@ int is_sending() {
     int done = 0;
     MPI_Testall(static_cast<int>(message.requests.size()), message.requests.data(), &done,
                 MPI_STATUSES_IGNORE);
+    if (done != 0) message.release(message.owner);
     return done != 0;
   });
   return sending().empty() ? 0 : 1;
 }
 
-int receive(int* from, int* kind, const void** data, std::uint64_t* size) {
-  static std::string bytes;
+int find(int* from, int* kind, std::uint64_t* size) {
   is_sending();
   int found = 0;
   MPI_Status status;
@@ -79,15 +98,30 @@ int receive(int* from, int* kind, const void** data, std::uint64_t* size) {
   Header header{};
   MPI_Recv(&header, sizeof header, MPI_BYTE, status.MPI_SOURCE, kHeaderTag, MPI_COMM_WORLD,
            MPI_STATUS_IGNORE);
-  bytes.resize(header.size);
-  for (std::uint64_t at = 0; at < header.size; at += kSegment)
-    MPI_Recv(bytes.data() + at, static_cast<int>(std::min(kSegment, header.size - at)), MPI_BYTE,
-             status.MPI_SOURCE, kDataTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  found_message() = {status.MPI_SOURCE, header.size};
   *from = status.MPI_SOURCE;
   *kind = static_cast<int>(header.kind);
-  *data = bytes.data();
-  *size = bytes.size();
+  *size = header.size;
   return 1;
+}
+
+void* begin_receive(void* data) {
+  const Found message = found_message();
+  auto receiving = std::make_unique<Receiving>();
+  for (std::uint64_t at = 0; at < message.size; at += kSegment)
+    MPI_Irecv(static_cast<char*>(data) + at,
+              static_cast<int>(std::min(kSegment, message.size - at)), MPI_BYTE, message.from,
+              kDataTag, MPI_COMM_WORLD, &receiving->requests.emplace_back());
+  return receiving.release();
+}
+
+int is_received(void* handle) {
+  auto* receiving = static_cast<Receiving*>(handle);
+  int done = 0;
+  MPI_Testall(static_cast<int>(receiving->requests.size()), receiving->requests.data(), &done,
+              MPI_STATUSES_IGNORE);
+  if (done != 0) std::unique_ptr<Receiving>(receiving).reset();
+  return done;
 }
 
 void end() { MPI_Finalize(); }
@@ -97,7 +131,7 @@ void abort_job(int exit_code) { MPI_Abort(MPI_COMM_WORLD, exit_code); }
 }  // namespace
 
 const OrielMpi* oriel_mpi() {
-  static const OrielMpi functions = {ORIEL_MPI_VERSION, begin, send,     is_sending,
-                                     receive,           end,   abort_job};
+  static const OrielMpi functions = {ORIEL_MPI_VERSION, begin,       send, is_sending, find,
+                                     begin_receive,     is_received, end,  abort_job};
   return &functions;
 }
