@@ -3,6 +3,8 @@
 // instruction. This file is compiled for any x86-64 and includes no C++ header: the linker could
 // keep the copy of an inline function that another file compiled for the newer processors.
 #if defined(ORIEL_CHECKS_PROCESSOR)
+#include <stdio.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #if defined(__AVX__)
@@ -11,9 +13,12 @@
 
 namespace {
 
-constexpr char kMessage[] =
-    "oriel: this processor lacks AVX2, BMI2 or FMA, which this build requires (x86-64-v3); build "
-    "Oriel from source with cmake -DORIEL_ARCH=native\n";
+/// Of an MPI job, whose messages come from many nodes.
+void print_rank() {
+  const char* rank = getenv("OMPI_COMM_WORLD_RANK");
+  if (!rank) rank = getenv("PMIX_RANK");
+  if (rank) fprintf(stderr, "rank %.20s on ", rank);
+}
 
 /// Before `main` and before the constructors of all static objects of the program.
 [[gnu::constructor(101)]] void check_processor() {
@@ -21,7 +26,14 @@ constexpr char kMessage[] =
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
       __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma"))
     return;
-  if (write(STDERR_FILENO, kMessage, sizeof kMessage - 1) < 0) _exit(2);
+  char host[256] = "this machine";
+  gethostname(host, sizeof host - 1);
+  fputs("oriel: ", stderr);
+  print_rank();
+  fprintf(stderr,
+          "%s: the processor lacks AVX2, BMI2 or FMA, which this build requires (x86-64-v3); "
+          "build Oriel from source with cmake -DORIEL_ARCH=native\n",
+          host);
   _exit(1);
 }
 

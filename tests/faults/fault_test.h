@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <cstdlib>
 #include <set>
 
 #include "support/program.h"
@@ -31,6 +32,12 @@ class FileSizeLimit {
   rlimit before_{};
   void (*before_signal_)(int);
 };
+
+/// Before a command: an emulated processor without AVX2.
+inline constexpr const char* kOlderProcessor = "qemu-x86_64 -cpu Nehalem";
+inline bool runs_older_processor() {
+  return std::system("qemu-x86_64 --version > /dev/null 2>&1") == 0;
+}
 
 class FaultTest : public ProgramTest {
  protected:

@@ -161,11 +161,30 @@ TEST_F(Parts, OfAnotherProgramAreRefused) {
             0);
   expect_not_merged({part(1, 2), part(2, 2)},
                     {"p.part-2-of-2", "it was written by Oriel", "and this is Oriel"});
-  // Nor does another program continue a part.
+  // Nor does another program continue a part, or use maps.
   const RunResult r =
       shell("./other_oriel render scene.mi -o p.exr --samples 4 --part 1/2 -q 2>stderr.txt");
   EXPECT_EQ(r.exit_code, 1);
   EXPECT_NE(r.err.find("was written by Oriel"), std::string::npos) << r.err;
+  ASSERT_EQ(
+      render({"--gi", "fg", "--samples", "4", "-o", "m.exr", "--maps-only", "maps"}).exit_code, 0);
+  const RunResult maps =
+      shell("./other_oriel render scene.mi -o m.exr --gi fg --samples 4 --maps maps 2>stderr.txt");
+  EXPECT_EQ(maps.exit_code, 1);
+  EXPECT_NE(maps.err.find("maps/frame-0001.maps"), std::string::npos) << maps.err;
+  EXPECT_NE(maps.err.find("program was 'Oriel"), std::string::npos) << maps.err;
+}
+
+// An emulated processor without AVX2, where results could have other bytes.
+TEST_F(Parts, AreNotRenderedOnOlderProcessors) {
+  if (!runs_older_processor()) GTEST_SKIP() << "qemu-x86_64 is not installed";
+  const RunResult r =
+      shell(std::string(kOlderProcessor) +
+            " \"$ORIEL\" render scene.mi -o p.exr --samples 4 --part 1/2 2> stderr.txt");
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_NE(r.err.find(": the processor lacks AVX2"), std::string::npos) << r.err;
+  EXPECT_EQ(r.error_lines(), 1) << r.err;
+  EXPECT_FALSE(there(part(1, 2)));
 }
 
 // A part is killed while it renders, and continues.
