@@ -160,13 +160,35 @@ void check_arguments(const SubmitArguments& a) {
                                      {"--mem", &a.resources.memory}})
     check_word(option, *text);
   if (fs::path(a.output).extension() != ".exr")
-    throw UsageError(fmt::format("-o {}: pictures of jobs are EXR files (.exr)", a.output));
+    throw UsageError(fmt::format(
+        "-o {}: pictures of jobs are EXR files (.exr); oriel tonemap converts them", a.output));
   if (a.mpi > 0 && (a.parts > 1 || a.maps))
     throw UsageError(
         "--mpi renders each picture as a whole, with maps of its own: leave out --parts and "
         "--maps");
   check_render_words(a.render);
 }
+
+std::string counted(int count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+/// The folder of a job that is being made, which is removed if the job is not submitted.
+class JobFolder {
+ public:
+  explicit JobFolder(std::string path) : path_(std::move(path)) {}
+  ~JobFolder() {
+    std::error_code ignored;
+    if (!kept_) fs::remove_all(path_, ignored);
+  }
+  JobFolder(const JobFolder&) = delete;
+  JobFolder& operator=(const JobFolder&) = delete;
+  void keep() { kept_ = true; }
+
+ private:
+  std::string path_;
+  bool kept_ = false;
+};
 
 int run_submit(const SubmitArguments& a) {
   check_arguments(a);
@@ -182,7 +204,8 @@ int run_submit(const SubmitArguments& a) {
                                  .string();
   std::error_code error;
   if (fs::exists(folder, error))
-    throw UserError(fmt::format("'{}' exists: see oriel status {}, or remove it", folder, folder));
+    throw UserError(fmt::format("'{}' exists: see oriel status {}, or remove it", folder,
+                                farm::shell_line({folder})));
   if (a.dry_run) {
     const TemporaryFolder trial;
     farm::Job job = make_job(a, pack(a.pack, trial.file("scene")), folder);
@@ -190,6 +213,7 @@ int run_submit(const SubmitArguments& a) {
     print_dry_run(job);
     return kExitDone;
   }
+  JobFolder made(folder);
   const farm::PackReport packed = pack(a.pack, folder + "/scene");
   farm::Job job = make_job(a, packed, folder);
   job.chunk = farm::chunk_for(job.unit_count(), max_array_size());
@@ -200,8 +224,10 @@ int run_submit(const SubmitArguments& a) {
   if (job.maps) write_durably(job.path("maps.sh"), maps_script(job), 0777);
   farm::write_job(job);
   const std::string id = farm::submit_tasks(job, all_tasks(job));
-  fmt::print("job {}: {} {} in {} tasks; see oriel status {}\n", id, job.unit_count(),
-             job.parts > 1 ? "parts" : "frames", job.task_count(), farm::shell_line({folder}));
+  made.keep();
+  fmt::print("job {}: {} in {}; see oriel status {}\n", id,
+             counted(job.unit_count(), job.parts > 1 ? "part" : "frame"),
+             counted(job.task_count(), "task"), farm::shell_line({folder}));
   return kExitDone;
 }
 

@@ -97,7 +97,9 @@ class FolderInProgress {
         !(fs::is_directory(fs::symlink_status(target_, error)) && fs::is_empty(target_, error)))
       throw std::runtime_error(fmt::format(
           "'{}' exists and is not an empty folder; remove it or choose another name", folder));
-    fs::create_directories(target_.parent_path());
+    if (fs::create_directories(target_.parent_path(), error); error)
+      throw std::runtime_error(
+          fmt::format("cannot create '{}': {}", target_.parent_path().string(), error.message()));
     std::string name =
         (target_.parent_path() / ("." + target_.filename().string() + "-XXXXXX")).string();
     if (::mkdtemp(name.data()) == nullptr)

@@ -292,13 +292,16 @@ int work_task(const Job& job, int task) { return TaskWorker(job, task).run(); }
 std::vector<int> missing_tasks(const Job& job) { return tasks_of(job, missing_units(job)); }
 
 std::string submit_tasks(const Job& job, const std::vector<int>& tasks) {
-  const auto submit = [](const std::vector<std::string>& words) {
+  std::vector<std::string> ids;
+  const auto submit = [&](const std::vector<std::string>& words) {
     const ChildResult result = run_child(words, ChildOutput::Capture);
-    std::string id = parse_job_id(result.out);
-    if (result.status != 0 || id.empty())
-      throw std::runtime_error(fmt::format(
-          "sbatch failed: {}", result.last_message.empty() ? result.out : result.last_message));
-    return id;
+    ids.push_back(parse_job_id(result.out));
+    if (result.status == 0 && !ids.back().empty()) return ids.back();
+    ids.back() = "scancel";  // the others: nothing would use their results
+    std::rotate(ids.begin(), ids.end() - 1, ids.end());
+    if (ids.size() > 1) run_child(ids, ChildOutput::Inherit);
+    throw std::runtime_error(fmt::format(
+        "sbatch failed: {}", result.last_message.empty() ? result.out : result.last_message));
   };
   std::string after;
   if (job.maps) after = submit(maps_submission(job));

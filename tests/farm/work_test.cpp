@@ -62,7 +62,10 @@ constexpr const char* kSlurm = R"sh(#!/bin/sh
 printf '%s|' "$(basename "$0")" "$@" >>"$(dirname "$0")/slurm"
 echo >>"$(dirname "$0")/slurm"
 case $(basename "$0") in
-  sbatch) wc -l <"$(dirname "$0")/slurm" ;;
+  sbatch)
+    case $* in *"$(cat "$(dirname "$0")/refused" 2>/dev/null || echo none.sh)") exit 1 ;; esac
+    wc -l <"$(dirname "$0")/slurm"
+    ;;
   squeue) cat "$(dirname "$0")/queue" 2>/dev/null ;;
   scontrol) echo "MaxArraySize            = 4" ;;
   srun)
@@ -78,7 +81,7 @@ class FarmWork : public ProgramTest {
   void SetUp() override {
     fs::create_directories(file("bin"));
     write_program("bin/oriel", kOriel);
-    for (const char* name : {"sbatch", "squeue", "scontrol", "srun"})
+    for (const char* name : {"sbatch", "squeue", "scontrol", "srun", "scancel"})
       write_program(std::string("bin/") + name, kSlurm);
     path_ = std::getenv("PATH");
     setenv("PATH", (file("bin") + ":" + path_).c_str(), 1);
@@ -370,6 +373,23 @@ TEST_F(FarmWork, WrongOptionsAreFoundBeforeTheSubmission) {
   EXPECT_EQ(beyond.exit_code, 1);
   EXPECT_NE(beyond.err.find("3 render statements"), std::string::npos) << beyond.err;
   EXPECT_EQ(slurm().find("sbatch"), std::string::npos);
+}
+
+// The same command is tried again after a correction.
+TEST_F(FarmWork, ARefusedSubmissionLeavesNothing) {
+  for (const char* script : {"render.sh", "merge.sh"}) {
+    write("bin/refused", script);
+    const RunResult r = submit({});
+    EXPECT_EQ(r.exit_code, 1);
+    EXPECT_NE(r.err.find("sbatch failed"), std::string::npos) << r.err;
+    EXPECT_FALSE(fs::exists(file(kJob))) << script;
+  }
+  // The array was accepted before its merge was not: the calls are numbered.
+  EXPECT_NE(slurm().find("scancel|4|\n"), std::string::npos) << slurm();
+  fs::remove(file("bin/refused"));
+  EXPECT_EQ(submit({"--frames", "9"}).exit_code, 1);
+  EXPECT_FALSE(fs::exists(file(kJob)));
+  EXPECT_EQ(submit({}).exit_code, 0);
 }
 
 TEST_F(FarmWork, ADryRunWritesNothing) {
