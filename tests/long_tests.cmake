@@ -10,10 +10,8 @@ set_tests_properties(
   PortalRoom.HasTheLightOfAnHdrPictureOnEveryWall
   PortalRoom.HasTheLightOfThePhysicalSkyOnEveryWall
   OutputsProgram.EveryFormatThatIsNamedIsWritten
-  Writers.EveryPictureFormatSurvivesEverySizeLimit
+  Writers.ToneMappedPicturesSurviveEverySizeLimit
   RenderFaults.TheOldPictureIsThereUntilTheNewOneIsFinished
-  RenderFaults.InterruptionAfterAPassReplacesTheFile
-  RenderFaults.LiveWritesPassesToTheFileItself
   RenderFaults.InterruptionInTheFirstPassKeepsTheOldPicture
   PhotonEmission.MeasuredLightsSendByTheirProfile
   PhotonTrace.PhotonsAndPathsGiveTheSameIndirectLight

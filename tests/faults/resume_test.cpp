@@ -29,7 +29,7 @@ const std::vector<std::string> kAllLayers = {"--layers", "all", "--cryptomatte",
 // of a render that was never interrupted.
 // acceptance: Z4
 TEST_F(Resume, KillingAtAnyTimeGivesTheSameBytes) {
-  const Words options = joined({"--samples", "64", "--seed", "5"}, kAllLayers);
+  const Words options = joined({"--samples", "64", "--seed", "5", "--size", "24x16"}, kAllLayers);
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<char> whole = uninterrupted(options);
   const auto micros = std::chrono::duration_cast<std::chrono::microseconds>(
