@@ -7,11 +7,11 @@ process of its own, since most of their time is waiting for Slurm. Exit code 77:
 
 acceptance: F3
 """
+import contextlib
 import glob
 import json
 import os
 import pathlib
-import resource
 import shutil
 import signal
 import subprocess
@@ -41,6 +41,8 @@ end group end object
 instance "floor_inst" "floor" material [ "grey" ] end instance
 instgroup "root" "cam_inst" "lamp_inst" "floor_inst" end instgroup
 """
+LONG = 400  # samples: some seconds of processor time
+USR1 = 1 << (signal.SIGUSR1 - 1)  # in the masks of /proc
 HUGE = 400000  # more pixels than memory holds
 RENDER = 'render "root" "cam_inst" "opt"\n'
 
@@ -51,6 +53,15 @@ def lamp(energy):
 
 def resolution(width, height):
     return f'incremental camera "cam" resolution {width} {height} end camera\n'
+
+
+def mask(process, name):
+    """A set of signals of a process, empty if it has ended."""
+    try:
+        status = pathlib.Path(f"/proc/{process}/status").read_text()
+    except OSError:
+        return 0
+    return next(int(line.split()[1], 16) for line in status.splitlines() if line.startswith(name + ":"))
 
 
 def run(*words, check=True, **more):
@@ -97,15 +108,49 @@ class Slurm(unittest.TestCase):
     def status(self):
         return json.loads(run(ORIEL, "status", self.job, "--json", check=False).stdout)
 
-    def samples_for(self, seconds):
-        """Samples of a render of at least that duration on two processors. Other cases run meanwhile, so that the
-        processor time of a trial counts and not its duration."""
-        trial = 200
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        self.reference(trial, "trial.exr")
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        used = after.ru_utime - before.ru_utime
-        return max(trial, int(trial * 2 * seconds / used))
+    def renders(self):
+        """Processes that render for the job."""
+        for folder in glob.glob("/proc/[0-9]*"):
+            try:
+                words = pathlib.Path(folder, "cmdline").read_bytes().split(b"\0")
+            except OSError:
+                continue
+            if words[:2] == [ORIEL.encode(), b"render"] and words[2].startswith(bytes(self.job)):
+                yield int(os.path.basename(folder))
+
+    def hold_renders(self, count=1, together=False):
+        """Stops processes within their picture, so that what follows meets unfinished ones. Returns them.
+        together: not before all render, as ranks wait for each other."""
+        def is_rendering(process):
+            try:
+                fields = pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()
+            except OSError:
+                return False
+            seconds = int(fields[11]) / os.sysconf("SC_CLK_TCK")
+            return seconds > 0.4 and mask(process, "SigCgt") & USR1
+
+        held = []
+
+        def hold():
+            held[:] = [p for p in self.renders() if is_rendering(p)]
+            if len(held) >= count or not together:
+                for process in held:
+                    os.kill(process, signal.SIGSTOP)
+            return len(held) >= count
+
+        self.wait(hold, "the render", pause=0.02)
+        return held
+
+    @staticmethod
+    def release(processes):
+        for process in processes:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(process, signal.SIGCONT)
+
+    def continue_when_signalled(self, processes):
+        """Slurm looks at time limits twice a minute."""
+        self.wait(lambda: all(mask(p, "ShdPnd") & USR1 for p in processes), "the signal before the time limit")
+        self.release(processes)
 
     def record(self, frame=1, part=1):
         path = self.job / f"units/frame-{frame:04}.part-{part}.json"
@@ -114,13 +159,13 @@ class Slurm(unittest.TestCase):
         except (OSError, ValueError):
             return {"state": "waiting", "attempts": 0, "node": ""}
 
-    def wait(self, condition, what, seconds=200):
+    def wait(self, condition, what, seconds=200, pause=0.2):
         end = time.monotonic() + seconds
         while not condition():
             if time.monotonic() > end:
                 queue = run("squeue", "-r", check=False).stdout
                 self.fail(f"{what} did not happen\n{queue}\n{self.status()}")
-            time.sleep(0.2)
+            time.sleep(pause)
 
     def wait_for_picture(self):
         self.wait(self.output.exists, "the picture")
@@ -161,10 +206,8 @@ class Slurm(unittest.TestCase):
         if not (pathlib.Path(ORIEL).parent / "oriel_mpi.so").exists():
             self.skipTest("Open MPI was not installed when Oriel was built")
         self.write_scene(SCENE + RENDER)
-        samples = self.samples_for(30)
-        # The signal comes within half a minute, as the lead is almost all of the minute and Slurm looks at time
-        # limits twice a minute.
-        job = self.submit("--mpi", 2, "--time", "1", "--lead", 57, samples=samples)
+        job = self.submit("--mpi", 2, "--time", "1", "--lead", 57, samples=LONG)
+        self.continue_when_signalled(self.hold_renders(2, together=True))
         self.wait(lambda: self.record()["state"] == "stopped", "the checkpoint")
         self.assertTrue((self.job / "parts/frame-0001.checkpoint").exists())
         self.wait(lambda: "PENDING" in run("squeue", "-h", "-r", "-j", job, "-o", "%T").stdout, "the requeue")
@@ -172,24 +215,22 @@ class Slurm(unittest.TestCase):
         # The picture so far was written, too.
         self.wait(lambda: self.record()["state"] == "done", "the picture")
         self.assertEqual(2, self.record()["attempts"])
-        self.expect_same_bytes(samples)
+        self.expect_same_bytes(LONG)
 
     def test_a_requeued_task_continues(self):
         self.write_scene(SCENE + RENDER)
-        samples = self.samples_for(3)
-        job = self.submit("--parts", 2, samples=samples)
-        self.wait(lambda: self.record()["state"] == "running", "the start")
+        job = self.submit("--parts", 2, samples=LONG)
+        held = self.hold_renders(2)
         run("scontrol", "requeue", f"{job}_0")
+        self.release(held)
         self.wait_for_picture()
         self.assertEqual(2, self.record()["attempts"])
-        self.expect_same_bytes(samples)
+        self.expect_same_bytes(LONG)
 
     def test_a_task_near_its_time_limit_continues_later(self):
         self.write_scene(SCENE + RENDER)
-        samples = self.samples_for(30)
-        # The signal comes within half a minute, as the lead is almost all of the minute and Slurm looks at time
-        # limits twice a minute.
-        job = self.submit("--parts", 1, "--time", "1", "--lead", 57, samples=samples)
+        job = self.submit("--parts", 1, "--time", "1", "--lead", 57, samples=LONG)
+        self.continue_when_signalled(self.hold_renders())
         self.wait(lambda: self.record()["state"] == "stopped", "the checkpoint")
         self.assertTrue((self.job / "parts/frame-0001.part-1-of-1").exists())
         self.assertEqual(1, self.status()["stopped"])
@@ -198,24 +239,24 @@ class Slurm(unittest.TestCase):
         run("scontrol", "update", f"JobId={job}_0", "TimeLimit=60")
         self.wait_for_picture()
         self.assertEqual(2, self.record()["attempts"])
-        self.expect_same_bytes(samples)
+        self.expect_same_bytes(LONG)
 
     def test_a_killed_node_loses_nothing(self):
         self.write_scene(SCENE + RENDER)
-        samples = self.samples_for(3)
         others = ",".join(f"n{k}" for k in range(1, NODES + 1) if f"n{k}" not in DOOMED.split(","))
-        self.submit("--parts", 2, samples=samples, excluded=others)
-        self.wait(lambda: self.record()["state"] == "running", "the start")
+        self.submit("--parts", 2, samples=LONG, excluded=others)
+        held = self.hold_renders(2)
         node = self.record()["node"]
         pid = int(pathlib.Path(f"{self.farm}/slurmd-{node}.pid").read_text())
         task = self.record()["task"]
         os.kill(pid, signal.SIGKILL)
         for process in self.processes_of(task):
             os.kill(process, signal.SIGKILL)
+        self.release(held)
         try:
             self.wait_for_picture()
             self.assertNotEqual(node, self.record()["node"])
-            self.expect_same_bytes(samples)
+            self.expect_same_bytes(LONG)
         finally:
             environment = dict(os.environ, ORIEL_FARM=self.farm, PATH=os.environ["PATH"] + ":/usr/sbin")
             run("slurmd", "-f", os.environ["SLURM_CONF"], "-N", node, env=environment)
@@ -272,6 +313,8 @@ def run_cases(names):
         run(FARM, "--folder", farm, "--nodes", NODES, "--while", os.getpid())
         environment = dict(os.environ, SLURM_CONF=farm + "/slurm.conf", ORIEL_SLURM_TEST=base)
         words = [sys.executable, os.path.abspath(__file__), ORIEL]
+        # Those that wait for a time limit are to run when Slurm looks at limits for the first time.
+        names = sorted(names, key=lambda name: not ("limit" in name or "together" in name))
         cases = [subprocess.Popen([*words, "Slurm." + name], env=environment, text=True, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT) for name in names]
         code = 0
