@@ -31,16 +31,16 @@ struct RankMessage {
 /// of the processor.
 class LookPause {
  public:
-  std::chrono::milliseconds next() {
-    const auto pause = next_;
-    next_ = std::min(2 * next_, kLongest);
+  static constexpr std::chrono::milliseconds kShortest{2}, kLongest{32};
+  std::chrono::milliseconds next(std::chrono::milliseconds longest = kLongest) {
+    const auto pause = std::min(next_, longest);
+    next_ = 2 * pause;
     return pause;
   }
   void wait() { std::this_thread::sleep_for(next()); }
   void reset() { next_ = kShortest; }
 
  private:
-  static constexpr std::chrono::milliseconds kShortest{2}, kLongest{32};
   std::chrono::milliseconds next_ = kShortest;
 };
 

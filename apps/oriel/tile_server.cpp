@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <list>
@@ -15,6 +16,10 @@
 
 namespace oriel::app {
 namespace {
+
+/// While there are tiles, only the end of the picture and signals matter, for which mpirun waits a
+/// second.
+constexpr std::chrono::milliseconds kLongestWithTiles{128};
 
 class TileServer {
  public:
@@ -61,17 +66,20 @@ class TileServer {
     tiles_come_.notify_all();
   }
 
+  /// The first portion with tiles that no thread draws.
+  std::list<Portion>::iterator portion_with_tiles() {
+    return std::find_if(portions_.begin(), portions_.end(),
+                        [](const Portion& p) { return !p.is_begun(); });
+  }
+
   /// Waits for a tile. Returns nothing when drawing stops.
   std::optional<int> next_tile() {
     std::unique_lock lock(mutex_);
-    const auto portion = [this] {
-      return std::find_if(portions_.begin(), portions_.end(),
-                          [](const Portion& p) { return !p.is_begun(); });
-    };
-    tiles_come_.wait(lock, [&] { return stops_drawing_ || portion() != portions_.end(); });
+    tiles_come_.wait(lock,
+                     [&] { return stops_drawing_ || portion_with_tiles() != portions_.end(); });
     if (stops_drawing_) return std::nullopt;
-    Portion& first = *portion();
-    return first.head.tiles[first.begun++];
+    Portion& portion = *portion_with_tiles();
+    return portion.head.tiles[portion.begun++];
   }
 
   void count(int tile, const RayCounts& rays) {
@@ -101,7 +109,9 @@ class TileServer {
       idle &= !send_drawn();
       if (!idle || ranks_.is_busy()) pause.reset();
       std::unique_lock lock(mutex_);
-      portion_is_drawn_.wait_for(lock, pause.next(), [this] { return some_are_drawn(); });
+      const bool has_tiles = portion_with_tiles() != portions_.end();
+      const auto longest = has_tiles ? kLongestWithTiles : LookPause::kLongest;
+      portion_is_drawn_.wait_for(lock, pause.next(longest), [this] { return some_are_drawn(); });
     }
   }
 
