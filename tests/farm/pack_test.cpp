@@ -100,6 +100,22 @@ TEST_F(PackProgram, FilesBelowTheSceneKeepTheirBytesAndPlaces) {
   expect_same_bytes("house.mi");
 }
 
+// Names in other languages, includes within includes, and the way through a symbolic link.
+TEST_F(PackProgram, NamesMayHaveSpacesAndAnyLetters) {
+  copy("data/textures/wood.exr", "Häuser & Möbel/Texturen/Eiche hell.exr");
+  copy("scenes/profile-bulbs/narrow.ies", "Häuser & Möbel/Stühle/Leuchte ö.ies");
+  fs::create_directory_symlink("Häuser & Möbel", file("origin"));
+  write("origin/Stühle/profil größe.mi",
+        "lightprofile \"narrow\" format ies file \"Leuchte ö.ies\" end lightprofile\n");
+  write("origin/alle s.mi", "$include \"Stühle/profil größe.mi\"\n");
+  std::string scene = textured("Texturen/Eiche hell.exr", "$include \"alle s.mi\"\n");
+  const std::string light = "\"mib_light_point\" (";
+  scene.replace(scene.find(light), light.size(),
+                "\"mib_light_photometric\" ( \"profile\" \"narrow\",");
+  write("origin/Haus groß & schön.mi", scene);
+  expect_same_bytes("Haus groß & schön.mi");
+}
+
 TEST_F(PackProgram, AbsoluteAndForeignNamesBecomeRelative) {
   copy("data/textures/wood.exr", "origin/Oak 1.exr");
   copy("data/textures/brick.exr", "library/a/oak.exr");
