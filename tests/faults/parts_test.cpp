@@ -88,7 +88,7 @@ TEST_F(Parts, HaveTheBytesOfTheWholePicture) {
 }
 
 TEST_F(Parts, AgreeOnNoise) {
-  const Words picture = {"--noise", ".03"};
+  const Words picture = {"--noise", ".05"};
   expect_same(picture, "noise of the picture", {1, 2, 3, 7});
   EXPECT_GT(render_and_merge(2, picture), 1);
   write("scene.mi", small_scene("samples 0 4 contrast .1 .1 .1 .1"));
