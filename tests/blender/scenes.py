@@ -137,6 +137,26 @@ def visibility():
     compare("visibility by kinds of rays", .03, 128)
 
 
+def lights_by_rays():
+    """Lights that diffuse surfaces or reflections do not see."""
+    scene = stage(72, 48)
+    support.add_plane(20, support.principled("Floor", (.4, .4, .45), Roughness=.25, Specular=1.0))
+    for k, (kind, flags, settings) in enumerate((
+            ("AREA", ("visible_diffuse",), {"size": .6}),
+            ("AREA", ("visible_glossy", "visible_transmission"), {"size": .6}),
+            ("POINT", ("visible_diffuse",), {"shadow_soft_size": .2}),
+            ("SPOT", ("visible_glossy", "visible_transmission"), {
+                "shadow_soft_size": .1, "spot_size": 1.2}))):
+        ob = add_light(kind, 60, (-3 + 2 * k, 1, 1.2), (.2, 0, 0), **settings)
+        ob.data.color = [(1, .3, .2), (.2, 1, .3), (.3, .4, 1), (1, 1, .3)][k]
+        for flag in flags:
+            setattr(ob, flag, False)
+    sun = add_light("SUN", .3, (0, 0, 5), (-.9, 0, 0), angle=.2)
+    sun.visible_glossy = sun.visible_transmission = False
+    look((0, -6, 2.5), (0, .5, 0), lens=30.0)
+    compare("lights by kinds of rays", .03, 256)
+
+
 def hair():
     scene = stage(64, 64)
     scene.world.color = (.4, .4, .4)
@@ -190,4 +210,4 @@ def compare_circle(label):
     support.check(error < .04, f"{label}: mean difference {error:.2%}")
 
 
-support.run([floors, film, displacement, visibility, hair, panoramas])
+support.run([floors, film, displacement, visibility, lights_by_rays, hair, panoramas])

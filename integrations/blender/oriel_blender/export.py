@@ -4,8 +4,8 @@ import os
 
 import numpy
 
-from . import (camera, curves, images, lights, materials, meshes, mi, variants, versions,
-               world)
+from . import (camera, curves, images, lights, materials, meshes, mi, variants, versions, world,
+               world_bake)
 
 MOTION_STEPS = 8  # of transforms that turn
 NARROW = .9999  # refl_gloss of a lobe of 0.16 degrees
@@ -52,6 +52,7 @@ class Exporter:
         self._report = report
         self.transparent = False   # the picture is without its background, which is subtracted
         self._background = ""      # the scene without objects
+        self.baker = world_bake.Baker(folder)
         self.images = images.Images(self.out, folder, self.report)
         self.materials = materials.MaterialWriter(self.out, self.images, self.report)
         self.holdouts = set()      # names of instances that are held out
@@ -142,7 +143,10 @@ class Exporter:
     def body(self, blur=None):
         """Adds everything but the camera; returns the name of the environment shader."""
         self.out.add(self.options(blur))
-        environment = world.WorldWriter(self.out, self.images, self.report).write(self.scene.world)
+        writer = world.WorldWriter(self.out, self.images, self.report, self.baker)
+        environment = writer.write(self.scene.world)
+        if writer.shows_disc:
+            self.view = {**self.view, "farthest": 2 * lights.SUN_DISTANCE}
         self.transparent = bool(environment) and self.scene.render.film_transparent
         self._background = self.out.text()
         self.instances()

@@ -162,6 +162,7 @@ def environment(reader, source, frame=None):
     background = next(n for n in tree.nodes if n.type == "BACKGROUND")
     background.inputs["Color"].default_value = (0, 0, 0, 1)
     if kind == "mia_physicalsky":
+        world.oriel.sky_model = "PHYSICAL"  # the same sky in Oriel
         sky(reader, parameters, tree, background, reader.frames.count - 1 if frame is None else frame)
     elif kind == "mib_lookup_spherical":
         image = reader.materials.image(parameters.get("tex", ""))
