@@ -33,26 +33,26 @@ def dimensions(node):
 
 
 def noise(graph, node, output):
-    kind = getattr(node, "noise_type", None)  # from 4.1
+    kind = getattr(node, "noise_type", "FBM")  # from 4.1
+    normal = bool(getattr(node, "normalize", True))  # from 4.0
     values = dict(coord=point(graph, node), w=number(graph, node, "W"),
                   scale=number(graph, node, "Scale", 5.0), dimensions=dimensions(node),
                   octaves=octaves_of_detail(graph, number(graph, node, "Detail", 2.0)),
                   roughness=number(graph, node, "Roughness", 0.5),
                   lacunarity=number(graph, node, "Lacunarity", 2.0),
                   distortion=number(graph, node, "Distortion"))
-    if kind is not None:
-        values.update(type=NOISE_TYPES[kind], normalize=bool(getattr(node, "normalize", True)),
-                      offset=number(graph, node, "Offset"), gain=number(graph, node, "Gain", 1.0))
-    else:
-        # Sums of noise that is normalized are clamped by its amplitudes.
-        values["roughness"] = arithmetic.operate(graph, "MINIMUM", arithmetic.operate(
-            graph, "MAXIMUM", values["roughness"], 0.0), 1.0)
-    return signed(graph, values, output.identifier == "Color", kind)
+    if kind != "FBM":
+        values.update(type=NOISE_TYPES[kind], offset=number(graph, node, "Offset"),
+                      gain=number(graph, node, "Gain", 1.0))
+    elif not normal:
+        values["normalize"] = False
+    return added(graph, values, output.identifier == "Color", kind != "FBM" or not normal)
 
 
-def signed(graph, values, coloured, kind):
+def added(graph, values, coloured, is_signed):
+    """The shader of a noise. is_signed: it can be negative."""
     result = graph.add("noise", "oriel_noise", **values, **({"color": True} if coloured else {}))
-    if kind is not None and not (kind == "FBM" and values.get("normalize", False)):
+    if is_signed:
         graph.signed.add(result)
     return result
 
@@ -69,7 +69,7 @@ def musgrave(graph, node, output):
                   lacunarity=lacunarity, offset=number(graph, node, "Offset"),
                   gain=number(graph, node, "Gain", 1.0), type=NOISE_TYPES[node.musgrave_type],
                   normalize=False)
-    return signed(graph, values, False, node.musgrave_type)
+    return added(graph, values, False, True)
 
 
 def has_equivalent(node):
