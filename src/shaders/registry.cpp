@@ -34,6 +34,7 @@
 #include "shaders/maya/host_shaders.h"
 #include "shaders/oriel/oriel_arithmetic.h"
 #include "shaders/oriel/oriel_brick.h"
+#include "shaders/oriel/oriel_bump.h"
 #include "shaders/oriel/oriel_direction_angle.h"
 #include "shaders/oriel/oriel_facing.h"
 #include "shaders/oriel/oriel_layers.h"
@@ -136,6 +137,7 @@ constexpr const ShaderSpec* kBuiltin[] = {
     &kDielectricMaterialPhoton,
     &kOrielBlend,
     &kOrielBrick,
+    &kOrielBump,
     &kOrielDirectionAngle,
     &kOrielFacing,
     &kOrielHueSaturation,
