@@ -118,7 +118,8 @@ class OrielEngine(bpy.types.RenderEngine):
         scene, layer = depsgraph.scene, depsgraph.view_layer
         if view:
             self.active_view_set(view)
-        camera_object = scene.camera
+        # Animations of the command line update evaluated data only.
+        camera_object = depsgraph.scene_eval.camera
         matrix = numpy.array(self.camera_model_matrix(camera_object), numpy.float64).reshape(4, 4)
         shift = {"shift_x": self.camera_shift_x(camera_object)} if view else {}
         folder = session_folder()

@@ -52,6 +52,21 @@ def content_of(tree):
     return json.dumps([found, links], default=str)
 
 
+def values_of(tree):
+    """Values of the inputs and settings of nodes by their names. Animations change evaluated data only,
+    and files have the data before that."""
+    found = []
+    for node in tree.nodes:
+        inputs = [[i, list(s.default_value) if hasattr(s.default_value, "__len__") else
+                   s.default_value] for i, s in enumerate(node.inputs)
+                  if hasattr(s, "default_value") and not isinstance(s.default_value, str)]
+        settings = [[p.identifier, getattr(node, p.identifier)] for p in node.bl_rna.properties
+                    if p.type == "FLOAT" and not p.is_readonly and not p.array_length and
+                    p.identifier not in {"width", "height", "width_hidden"}]
+        found.append([node.name, inputs, settings])
+    return found
+
+
 def width_for(tree):
     """Width of the picture: that of the largest image of the world within limits."""
     images = [node.image for node in tree.nodes if getattr(node, "image", None) is not None]
@@ -85,7 +100,7 @@ class Baker:
         result = os.path.join(self.folder, f"{key}.json")
         if not os.path.exists(result) and key not in _failed:
             if key not in _running:
-                _running[key] = self._start(key, world.original, sun)
+                _running[key] = self._start(key, world, sun)
             if self._on_ready is None:
                 finish(key, SECONDS)
             else:
@@ -99,10 +114,10 @@ class Baker:
     def _start(self, key, world, sun):
         os.makedirs(self.folder, exist_ok=True)
         base = os.path.join(self.folder, key)
-        bpy.data.libraries.write(base + ".blend", {world}, path_remap="ABSOLUTE")
+        bpy.data.libraries.write(base + ".blend", {world.original}, path_remap="ABSOLUTE")
         request = {"blend": base + ".blend", "world": world.name, "width": width_for(world.node_tree),
                    "samples": SAMPLES, "picture": base + ".exr", "result": base + ".part",
-                   "sun": sun}
+                   "sun": sun, "values": values_of(world.node_tree)}
         with open(base + ".request", "w", encoding="utf-8") as file:
             json.dump(request, file)
         return base, subprocess.Popen(

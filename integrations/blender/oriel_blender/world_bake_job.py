@@ -3,8 +3,8 @@
 
     blender -b --factory-startup -P world_bake_job.py -- REQUEST.json
 
-The request has the file of the world, its name, the size of the picture and the sun: direction and
-angle of its disc, or null. Writes the picture without the disc, and RESULT with the irradiance of the
+The request has the file of the world, its name, values of its nodes, the size of the picture and the
+sun: direction and angle of its disc, or null. Writes the picture without the disc, and RESULT with the irradiance of the
 disc.
 """
 import json
@@ -25,6 +25,7 @@ def stage(request):
     with bpy.data.libraries.load(request["blend"]) as (source, target):
         target.worlds = [name for name in source.worlds if name == request["world"]]
     scene.world = target.worlds[0]
+    set_values(scene.world.node_tree, request["values"])
     scene.render.engine = "CYCLES"
     scene.cycles.device, scene.cycles.samples = "CPU", request["samples"]
     scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
@@ -37,6 +38,17 @@ def stage(request):
     scene.camera = bpy.data.objects.new("Camera", camera)
     scene.collection.objects.link(scene.camera)
     return scene
+
+
+def set_values(tree, values):
+    """Sets the values that the nodes have in the frame."""
+    tree.animation_data_clear()
+    for name, inputs, settings in values:
+        node = tree.nodes[name]
+        for index, value in inputs:
+            node.inputs[index].default_value = value
+        for setting, value in settings:
+            setattr(node, setting, value)
 
 
 def set_discs(world, shown):
