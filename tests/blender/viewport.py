@@ -146,7 +146,7 @@ def prepare():
     yield lambda: finished(before)
     seen["camera"] = screenshot("viewport_camera")
     before, jobs = submitted(), session().worker.reloads
-    camera.dof.use_dof, camera.dof.focus_distance, camera.dof.aperture_fstop = True, 2.0, .2
+    camera.dof.use_dof, camera.dof.focus_distance, camera.dof.aperture_fstop = True, 2.0, .03
     yield lambda: finished(before)
     seen["blurred"] = screenshot("viewport_blurred")
     sharp, blurred = (numpy.abs(numpy.diff(seen[k], axis=1)).max() for k in ("camera", "blurred"))

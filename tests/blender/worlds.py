@@ -179,9 +179,9 @@ def depth_of_field():
     camera = support.add_camera((0, 0, 0), lens=50.0)
     camera.data.dof.use_dof = True
     camera.data.dof.focus_distance, camera.data.dof.aperture_fstop = 5.0, .15
-    same("depth of field", .04, 512, 4)
+    same("depth of field", .04, 128, 4)
     camera.data.dof.focus_distance = 2.0
-    same("depth of field, near", .04, 512, 4)
+    same("depth of field, near", .04, 128, 4)
 
 
 def transparent_film():
