@@ -256,6 +256,11 @@ def surfaces():
         return surface.outputs[0]
     shown("bump of a bump", twice)
 
+    def flat(tree, surface):  # as FBX files have
+        put(tree, surface.inputs["Normal"], add(tree, "NormalMap").outputs[0])
+        return surface.outputs[0]
+    shown("normal map without a picture", flat)
+
     def metal(tree, surface):
         put(tree, surface.inputs["Metallic"], image_of(
             tree, lambda u, v: (u > .5, u > .5, u > .5), "Non-Color"))

@@ -157,6 +157,23 @@ def lights_by_rays():
     compare("lights by kinds of rays", .03, 256)
 
 
+def world_by_rays():
+    """A world that some kinds of rays do not see."""
+    scene = stage(64, 48)
+    scene.world.color = (.5, .6, .8)
+    support.add_plane(4, support.diffuse_material((.6, .5, .4)), z=-.6)
+    for x, material in ((-1.2, support.principled("Mirror", (.9, .9, .9), Metallic=1.0, Roughness=.1)),
+                        (0, support.diffuse_material((.7, .3, .2))),
+                        (1.2, support.principled("Glass", (1, 1, 1), Transmission=1.0, Roughness=0.0))):
+        support.add_sphere(.5, material, (x, 0, 0), 24)
+    add_light("AREA", 100, (0, -2, 3), (.6, 0, 0), size=1)
+    look((0, -4, 1), (0, 0, 0), lens=35.0)
+    for kind in ("camera", "diffuse", "glossy", "transmission"):
+        setattr(scene.world.cycles_visibility, kind, False)
+        compare(f"a world without {kind} rays", .04, 128)
+        setattr(scene.world.cycles_visibility, kind, True)
+
+
 def hair():
     scene = stage(64, 64)
     scene.world.color = (.4, .4, .4)
@@ -210,4 +227,4 @@ def compare_circle(label):
     support.check(error < .04, f"{label}: mean difference {error:.2%}")
 
 
-support.run([floors, film, displacement, visibility, lights_by_rays, hair, panoramas])
+support.run([floors, film, displacement, visibility, lights_by_rays, world_by_rays, hair, panoramas])

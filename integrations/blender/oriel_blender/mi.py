@@ -13,7 +13,7 @@ class Words(str):
 
 def quoted(text):
     """A string of the language. It cannot contain line breaks."""
-    clean = "".join(" " if ord(c) < 32 else c for c in text)
+    clean = text if text.isprintable() else "".join(" " if ord(c) < 32 else c for c in text)
     return '"' + clean.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 

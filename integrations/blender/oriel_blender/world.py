@@ -36,6 +36,11 @@ def direction_of_sky(rotation, elevation):
             math.sin(elevation))
 
 
+# Kinds of rays that see the world, and those of mip_rayswitch.
+VISIBILITY = {"camera": ("eye", "transparent"), "diffuse": ("finalgather",),
+              "glossy": ("reflection",), "transmission": ("refraction",)}
+
+
 class WorldWriter:
     """Writes the environment shader of a world and, for a sky, the sun."""
 
@@ -55,6 +60,18 @@ class WorldWriter:
         """Returns the name of the environment shader, or None for black."""
         if world is None:
             return None
+        name = self.shader_of(world)
+        hidden = [kind for kind in VISIBILITY if not versions.world_is_visible(world, kind)]
+        if not hidden or name is None:
+            return name
+        # The switch evaluates shaders that can be materials as surfaces, and oriel_math as a value.
+        seen = self.out.shader("world.seen", "oriel_math", operation=0, input1=name,
+                               input2=(0.0, 0.0, 0.0))
+        return self.out.shader_of("world.visibility", "mip_rayswitch", {
+            kind: (0.0, 0.0, 0.0, 1.0) if ray in hidden else seen
+            for ray, kinds in VISIBILITY.items() for kind in kinds})
+
+    def shader_of(self, world):
         if not world.use_nodes or world.node_tree is None:
             return self.constant(world.color)
         output = output_node(world.node_tree, "OUTPUT_WORLD")
