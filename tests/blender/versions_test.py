@@ -172,6 +172,35 @@ class Versions(unittest.TestCase):
             found.add(value)
         self.assertEqual(len(found), variants.RANDOM_STEPS)
 
+    def test_lights_light_the_objects_of_their_collection(self):
+        def member(name, state):
+            return mock.Data(name=name, light_linking=mock.Data(link_state=state))
+
+        def collection(children=(), **states):
+            inner = mock.Items(c for c, _ in children)
+            return mock.Data(
+                name="Lit", children=inner, objects=[mock.Data(name=n) for n in states],
+                collection_objects=[member(n, s) for n, s in states.items()],
+                collection_children=[member(c.name, s) for c, s in children])
+
+        def exported_with(receivers):
+            def change(graph):
+                lamp = next(i.object for i in graph.object_instances if i.object.name == "POINT")
+                lamp.light_linking = mock.Data(receiver_collection=receivers, blocker_collection=None)
+            with tempfile.TemporaryDirectory() as folder:
+                text = exported((4, 3, 0), folder, change)[0]
+            lamp = re.search(r'instance "(\S+)" "POINT.light"', text)[1]
+            return {e.split('"')[1] for e in parts_of(text).values()
+                    if e.startswith("instance") and f'  light "exclusive" [ "{lamp}" ]' in e}
+        names = {m.name for m in materials((4, 3, 0))}
+        dark = {re.sub(r"#\d+$", "", n) for n in exported_with(
+            collection(diffuse="INCLUDE", metal="INCLUDE", coat="EXCLUDE"))}
+        self.assertEqual(dark, names - {"diffuse", "metal"})
+        inner = collection(sheen="INCLUDE")
+        dark = {re.sub(r"#\d+$", "", n) for n in exported_with(
+            collection([(inner, "EXCLUDE")], coat="EXCLUDE"))}
+        self.assertEqual(dark, {"sheen", "coat"})
+
     def test_exposure_and_temperature_of_lights(self):
         def brighter(graph):
             lamp = next(i.object.data for i in graph.object_instances if i.object.name == "POINT")

@@ -4,7 +4,7 @@ import os
 
 import numpy
 
-from . import (camera, curves, images, lights, materials, meshes, mi, variants, versions, world,
+from . import (camera, curves, images, light_links, lights, materials, meshes, mi, variants, versions, world,
                world_bake)
 
 MOTION_STEPS = 8  # of transforms that turn
@@ -55,6 +55,7 @@ class Exporter:
         self.baker = world_bake.Baker(folder)
         self.images = images.Images(self.out, folder, self.report)
         self.materials = materials.MaterialWriter(self.out, self.images, self.report)
+        self.links = light_links.LightLinks(self.report)
         self.holdouts = set()      # names of instances that are held out
         self.groups = {}           # light group -> instance names
         self.known = {}            # key of geometry -> name and file of an earlier export
@@ -198,11 +199,17 @@ class Exporter:
         if any(hidden_shape(instance.object) for instance in self.depsgraph.object_instances):
             # Mirrors do not see lights that the camera does not see; narrow lobes do.
             self.materials.sharpest = NARROW
+        lights_first = light_links.are_used(self.depsgraph.object_instances)
+        if lights_first:  # lists of objects name them
+            for instance in self.depsgraph.object_instances:
+                if instance.object.type == "LIGHT" and instance.show_self:
+                    self.light(instance.object, Placed(instance))
         for instance in self.depsgraph.object_instances:
             placed = Placed(instance)
             ob = instance.object
             if ob.type == "LIGHT" and placed.show:
-                self.light(ob, placed)
+                if not lights_first:
+                    self.light(ob, placed)
             elif ob.type in SURFACES and placed.show:
                 self.surface(ob, placed)
             elif ob.type in {"CURVES", "HAIR"} and placed.show:
@@ -214,6 +221,9 @@ class Exporter:
         return placed.owner.is_holdout or placed.owner.holdout_get(view_layer=self.original_layer)
 
     def visibility(self, ob, placed):
+        return self.links.statement(ob.original.name) + self.ray_visibility(ob, placed)
+
+    def ray_visibility(self, ob, placed):
         if placed.owner.indirect_only_get(view_layer=self.original_layer):
             return "  visible off\n" + visibility(ob).replace("  visible off\n", "")
         return visibility(ob)
@@ -231,6 +241,8 @@ class Exporter:
             motion = None
         written = lights.write(self.out, ob, ob.data, name, matrix, motion, self.report,
                                self.folder)
+        if written:
+            self.links.add(ob.original, written)
         group = getattr(ob.original, "lightgroup", "")
         if written and group:
             self.groups.setdefault(group, []).append(written)
