@@ -11,6 +11,7 @@ import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import support  # noqa: E402
+from oriel_blender import world_bake  # noqa: E402
 
 
 def same(label, limit, samples=64, size=8):
@@ -225,6 +226,20 @@ def sky():
     support.check(ours.max() > 100 * numpy.median(ours), "the camera sees the disc")
 
 
+def failed_sky():
+    """If the picture of a sky cannot be rendered, the sky of the program is used."""
+    scene = support.empty_scene(8, 8)
+    tree = use_nodes(scene.world)
+    node = tree.nodes.new("ShaderNodeTexSky")
+    tree.links.new(node.outputs[0], tree.nodes["Background"].inputs["Color"])
+    support.add_plane(4.0, support.diffuse_material())
+    support.add_camera((0, 0, 5))
+    job, world_bake.JOB = world_bake.JOB, "/missing.py"
+    ours = support.render("ORIEL", 4, "sky")
+    world_bake.JOB = job
+    support.check(1 < ours[4, 4, 1] < 100, f"radiance {ours[4, 4, :3]}")
+
+
 def any_world():
     """Worlds of nodes without shaders in the program: a picture by Cycles, without a copy left."""
     scene = support.empty_scene(48, 32)
@@ -293,4 +308,5 @@ def place():
 
 
 if __name__ == "__main__":
-    support.run((place, baked, pictures, textures, depth_of_field, transparent_film, sky, any_world))
+    support.run((place, baked, pictures, textures, depth_of_field, transparent_film, sky, failed_sky,
+                 any_world))

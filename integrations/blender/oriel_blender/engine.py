@@ -128,6 +128,8 @@ class OrielEngine(bpy.types.RenderEngine):
         exporter = export.Exporter(
             depsgraph, folder, mesh_folder(), self.warn,
             None if self.is_preview else self.frame_set, matrix, shift)
+        if self.is_preview:
+            exporter.baker = None  # previews are small and frequent
         name = "preview" if self.is_preview else "frame"
         scene_path = exporter.write(os.path.join(folder, f"{name}.mi"), size)
         print(f"Oriel: exported in {time.time() - started:.2f} s, "

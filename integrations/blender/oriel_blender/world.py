@@ -111,7 +111,7 @@ class WorldWriter:
         instead = approximation or (lambda: self.constant([0.0] * 3))
         try:
             found = self.baker.bake(world, sun) if self.baker else None
-        except (RuntimeError, OSError) as error:
+        except (RuntimeError, OSError, ValueError) as error:
             self.report(f'world "{world.name}": {error}; '
                         + ("another sky is used" if approximation else "it is black"))
             return instead()
