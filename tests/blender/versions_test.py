@@ -3,11 +3,17 @@
 """The export of the extension with data of Blender 3.4 and 4.0 to 4.5, without Blender: all versions
 write the same scene, but for the model of Principled BSDF."""
 # acceptance: Y2
+import importlib.util
+import os
 import pathlib
 import re
 import sys
 import tempfile
 import unittest
+
+SYSTEM = "/usr/bin/python3"  # has the packages that Debian's Blender uses
+if importlib.util.find_spec("numpy") is None and sys.executable != SYSTEM and os.path.exists(SYSTEM):
+    os.execv(SYSTEM, [SYSTEM, *sys.argv])
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path += [str(HERE), str(HERE.parents[1] / "integrations" / "blender")]
