@@ -16,6 +16,7 @@
 #include "scene/asset_path.h"
 #include "scene/element_settings.h"
 #include "scene/hierarchy.h"
+#include "scene_json.h"
 #include "scene_motion.h"
 
 namespace oriel::app {
@@ -27,59 +28,11 @@ constexpr std::size_t kMaxMotionMatrices = std::size_t{1} << 22;  ///< 256 MB
 
 static_assert(std::endian::native == std::endian::little, "arrays are written as in memory");
 
-json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
-
 json matrix_json(const Mat4& m) {
   json list = json::array();
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) list.push_back(m[row][column]);
   return list;
-}
-
-json arguments_json(const std::vector<scene::Argument>& arguments);
-
-json value_json(const scene::Value& value) {
-  using Kind = scene::Value::Kind;
-  switch (value.kind) {
-    case Kind::Boolean:
-      return value.boolean;
-    case Kind::Numbers:
-      return value.numbers.size() == 1 ? json(value.numbers[0]) : json(value.numbers);
-    case Kind::Text:
-      return value.text;
-    case Kind::Connection:
-      return {{"shader", value.text}};
-    case Kind::Interface:
-      return {{"interface", value.text}};
-    case Kind::Struct:
-      return {{"struct", arguments_json(value.members)}};
-    case Kind::Array: {
-      json items = json::array();
-      for (const scene::Value& item : value.items) items.push_back(value_json(item));
-      return {{"array", std::move(items)}};
-    }
-    case Kind::Null:
-      break;
-  }
-  return nullptr;
-}
-
-json arguments_json(const std::vector<scene::Argument>& arguments) {
-  json made = json::object();
-  for (const scene::Argument& argument : arguments)
-    made[argument.name] = value_json(argument.value);
-  return made;
-}
-
-json shaders_json(const scene::ShaderList& list) {
-  json made = json::array();
-  for (const scene::ShaderUse& use : list) {
-    if (!use.reference.empty())
-      made.push_back({{"reference", use.reference}});
-    else
-      made.push_back({{"type", use.type}, {"parameters", arguments_json(use.arguments)}});
-  }
-  return made;
 }
 
 class Dump {
@@ -100,6 +53,8 @@ class Dump {
     if (!scene_.renders.empty())
       root_["render"] = {{"camera", scene_.renders.back().camera},
                          {"frames", scene_.renders.size()}};
+    if (!motion_.cameras().empty()) root_["render"]["cameras"] = motion_.cameras();
+    if (motion_.truncated()) left_out_.insert("changes of elements of many frames");
     for (const std::string& kind : left_out_)
       diagnostics.note("OR-MD-031", {}, fmt::format("left out: {}", kind));
     return {root_.dump(1, ' ', false, json::error_handler_t::replace) + "\n", std::move(binary_)};
@@ -179,44 +134,16 @@ class Dump {
   }
 
   void add_element(const scene::Element& element) {
-    if (const auto* camera = std::get_if<scene::Camera>(&element)) add_camera(*camera);
-    if (const auto* light = std::get_if<scene::Light>(&element)) add_light(*light);
     if (const auto* texture = std::get_if<scene::Texture>(&element)) add_texture(*texture);
     if (const auto* profile = std::get_if<scene::LightProfile>(&element)) add_profile(*profile);
-    if (const auto* shader = std::get_if<scene::ShaderElement>(&element))
-      root_["shaders"][shader->name] = shaders_json(shader->functions);
-    if (const auto* material = std::get_if<scene::Material>(&element))
-      root_["materials"].push_back(
-          {{"name", material->name}, {"shaders", shaders_json(material->shaders)}});
-  }
-
-  void add_camera(const scene::Camera& camera) {
-    const scene::CameraSettings settings = scene::settings_of(camera);
-    json made = {{"name", camera.name},
-                 {"orthographic", camera.orthographic},
-                 {"focal", camera.focal.value_or(1)},
-                 {"aperture", camera.aperture.value_or(1)},
-                 {"offset", {settings.offset.x, settings.offset.y}},
-                 {"clip", {settings.clip_near, settings.clip_far}},
-                 {"lens", shaders_json(camera.lens)},
-                 {"environment", shaders_json(camera.environment)}};
-    if (camera.aspect) made["aspect"] = *camera.aspect;
-    if (camera.resolution) made["resolution"] = *camera.resolution;
-    root_["cameras"].push_back(std::move(made));
-  }
-
-  void add_light(const scene::Light& light) {
-    json made = {{"name", light.name}, {"shaders", shaders_json(light.shaders)}};
-    if (light.origin) made["origin"] = vector_json(*light.origin);
-    if (light.direction) made["direction"] = vector_json(*light.direction);
-    if (light.spread) made["spread"] = *light.spread;
-    if (light.area) {
-      json values = json::array();
-      for (const scene::Value& value : light.area->values)
-        for (const double number : value.numbers) values.push_back(number);
-      made["area"] = {{"shape", light.area->keyword}, {"numbers", std::move(values)}};
-    }
-    root_["lights"].push_back(std::move(made));
+    const std::string list = element_list(element);
+    if (list.empty()) return;
+    const std::string& name = scene::name_of(element);
+    if (list == "shaders")
+      root_[list][name] = element_json(element);
+    else
+      root_[list].push_back(element_json(element));
+    add_changes(list, name);
   }
 
   void add_texture(const scene::Texture& texture) {
@@ -233,6 +160,13 @@ class Dump {
     root_["profiles"].push_back(
         {{"name", profile.name},
          {"file", scene::find_asset(file, profile.directory, scene_.files)}});
+  }
+
+  /// The versions of an element that changes from frame to frame.
+  void add_changes(const std::string& list, const std::string& name) {
+    for (const SceneMotion::Version& version : motion_.versions(list, name))
+      root_["changes"][list][name].push_back(
+          {{"frame", version.frame}, {"value", json::parse(version.json)}});
   }
 
   /// The matrices of the frames of a placement that moves.

@@ -33,14 +33,20 @@
 #include "shaders/base/mib_texture_procedural.h"
 #include "shaders/maya/host_shaders.h"
 #include "shaders/oriel/oriel_arithmetic.h"
+#include "shaders/oriel/oriel_brick.h"
+#include "shaders/oriel/oriel_bump.h"
 #include "shaders/oriel/oriel_direction_angle.h"
 #include "shaders/oriel/oriel_facing.h"
 #include "shaders/oriel/oriel_layers.h"
 #include "shaders/oriel/oriel_lens.h"
+#include "shaders/oriel/oriel_light.h"
+#include "shaders/oriel/oriel_noise.h"
 #include "shaders/oriel/oriel_normal_map.h"
 #include "shaders/oriel/oriel_plastic.h"
 #include "shaders/oriel/oriel_tex_vector.h"
 #include "shaders/oriel/oriel_vertex_color.h"
+#include "shaders/oriel/oriel_voronoi.h"
+#include "shaders/oriel/oriel_wave.h"
 #include "shaders/physics/dgs_material.h"
 #include "shaders/physics/parti_volume.h"
 
@@ -130,6 +136,8 @@ constexpr const ShaderSpec* kBuiltin[] = {
     &kDielectricMaterial,
     &kDielectricMaterialPhoton,
     &kOrielBlend,
+    &kOrielBrick,
+    &kOrielBump,
     &kOrielDirectionAngle,
     &kOrielFacing,
     &kOrielHueSaturation,
@@ -137,13 +145,18 @@ constexpr const ShaderSpec* kBuiltin[] = {
     &kOrielLensFisheye,
     &kOrielLensPanorama,
     &kOrielLensShift,
+    &kOrielLight,
+    &kOrielMagic,
     &kOrielMath,
+    &kOrielNoise,
     &kOrielNormalMap,
     &kOrielPlastic,
     &kOrielSheen,
     &kOrielTexVector,
     &kOrielThinFilm,
     &kOrielVertexColor,
+    &kOrielVoronoi,
+    &kOrielWave,
     &kOversamplingLens,
     &kPartiVolume,
     &kPartiVolumePhoton,

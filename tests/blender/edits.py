@@ -58,6 +58,7 @@ def stage():
     scene.world.use_nodes = True
     sky = scene.world.node_tree.nodes.new("ShaderNodeTexSky")
     sky.name = "Sky"
+    scene.world.oriel.sky_model = "PHYSICAL"
     scene.world.node_tree.links.new(sky.outputs[0],
                                     scene.world.node_tree.nodes["Background"].inputs["Color"])
     scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = .02
@@ -127,6 +128,7 @@ EDITS = [
     ("spot size", set_value(lambda: bpy.data.lights["Lamp"], "spot_size", .7), False),
     ("area size", set_value(lambda: bpy.data.lights["Panel"], "size", 2.0), False),
     ("sun", lambda: setattr(sky(), "sun_elevation", .3), True),
+    ("sky of Cycles", lambda: setattr(bpy.context.scene.world.oriel, "sky_model", "CYCLES"), False),
     ("camera place", set_value(objects("Camera"), "location", (.5, -5, 1.2)), True),
     ("camera lens", set_value(lambda: bpy.context.scene.camera.data, "lens", 30), True),
     ("depth of field", focus, False),

@@ -8,6 +8,7 @@ import subprocess
 import sys
 
 import bpy
+import mathutils
 import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -170,6 +171,93 @@ def frames():
     support.check(bpy.data.objects["sun"].animation_data is None, "what rests has no key frames")
 
 
+CHANGING = """
+$include "base.mi"
+$include "architectural.mi"
+$include "oriel.mi"
+options "o" object space end options
+light "lamp" "physical_light" ("color" 4 2 1) origin 0 0 3 direction 0 0 -1
+  rectangle 1 0 0 0 2 0 end light
+instance "lamp.i" "lamp" end instance
+light "sun" "mia_physicalsun" () direction 0 0 -1 end light
+instance "sun.i" "sun" transform 1 0 0 0 0 0 -1 0 0 1 0 0 0 0 0 1 end instance
+shader "paint" "mia_material_x" ("diffuse" .8 .2 .1, "refl_gloss" 1)
+material "red" = "paint" end material
+material "still" "mia_material_x" ("diffuse" .1 .2 .3) end material
+object "square" visible on group
+  -1 -1 0 1 -1 0 1 1 0 -1 1 0 v 0 v 1 v 2 v 3 p 0 1 2 3 end group end object
+instance "plate" "square" material ["red"] end instance
+instance "second" "square" material ["still"] end instance
+shader "sky" "mia_physicalsky" ("sun" "sun.i", "haze" 0)
+camera "c" lens "mia_lens_bokeh" ("on" on, "plane" 4, "radius" .01)
+  lens "mia_exposure_photographic" ("film_iso" 100, "f_number" 8, "camera_shutter" 100, "cm2_factor" 1)
+  environment = "sky"
+  focal 2 aperture 1 aspect 1.5 resolution 48 32 end camera
+instance "view" "c" transform 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1 end instance
+instance "other" "c" transform 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -9 1 end instance
+instgroup "root" "plate" "second" "lamp.i" "sun.i" "view" "other" end instgroup
+render "root" "view" "o"
+incremental light "lamp" "physical_light" ("color" 0 8 4) origin 0 0 3 direction 0 1 0
+  rectangle 2 0 0 0 0 2 end light
+render "root" "view" "o"
+render "root" "view" "o"
+incremental shader "paint" "mia_material_x" ("diffuse" .2 .6 .1, "refl_gloss" .5)
+incremental instance "sun.i" "sun" transform 0 0 1 0 0 1 0 0 -1 0 0 0 0 0 0 1 end instance
+incremental camera "c" lens "mia_lens_bokeh" ("on" on, "plane" 6, "radius" .02)
+  lens "mia_exposure_photographic" ("film_iso" 400, "f_number" 8, "camera_shutter" 100, "cm2_factor" 1)
+  environment = "sky"
+  focal 1 aperture 1 aspect 1.5 resolution 48 32 offset 4.8 0 end camera
+render "root" "other" "o"
+"""
+
+
+def values_over_frames():
+    """Cameras, lights, materials, sky and exposure of all frames are key frames."""
+    support.empty_scene(8, 8)
+    path = support.FOLDER / "changing.mi"
+    path.write_text(CHANGING)
+    support.check(bpy.ops.import_scene.oriel_mi(filepath=str(path), up="Z") == {"FINISHED"},
+                  "it is imported")
+    scene = bpy.context.scene
+    lamp = next(o for o in bpy.data.objects if o.type == "LIGHT" and o.data.type == "AREA")
+    sky = next(n for n in scene.world.node_tree.nodes if n.type == "TEX_SKY")
+    red = bpy.data.materials["red"].node_tree
+    plastic = next(n for n in red.nodes if n.type == "BSDF_PRINCIPLED")
+    native = next(n for n in red.nodes if n.bl_idname == "OrielNode_mia_material_x")
+    camera = next(o for o in bpy.data.objects if o.name == "view").data
+
+    def state():
+        down = lamp.matrix_world.to_3x3() @ mathutils.Vector((0, 0, -1))
+        return [lamp.data.energy, *lamp.data.color, lamp.data.size, lamp.data.size_y, *down,
+                *plastic.inputs["Base Color"].default_value[:3],
+                *native.inputs["diffuse"].default_value[:3],
+                native.inputs["refl_gloss"].default_value, camera.lens,
+                camera.dof.focus_distance, camera.dof.aperture_fstop, camera.shift_x,
+                math.degrees(sky.sun_elevation), 2 ** scene.view_settings.exposure]
+    # An exposure is proportional to the film speed; the f-number to the focal length by the radius.
+    lit = 1 / (1.2 * 64 * 100)
+    lamps = ([4, 1, .5, .25, 1, 2, 0, 0, -1], [8, 0, 1, .5, 2, 2, 0, 1, 0])
+    paints = ([.8, .2, .1] * 2 + [1], [.2, .6, .1] * 2 + [.5])
+    views = ([72, 4, .072 / .02, 0], [36, 6, .036 / .04, .1])
+    expected = [lamps[0] + paints[0] + views[0] + [0, lit], lamps[1] + paints[0] + views[0] + [0, lit],
+                lamps[1] + paints[0] + views[0] + [0, lit],
+                lamps[1] + paints[1] + views[1] + [0, 4 * lit]]
+    suns = []
+    for frame, wanted in enumerate(expected, 1):
+        scene.frame_set(frame)
+        have = state()
+        suns.append((round(math.degrees(sky.sun_elevation)), round(math.degrees(sky.sun_rotation))))
+        wanted[-2] = have[-2]
+        error = numpy.abs(numpy.array(have) - wanted)
+        support.check(error.max() < 2e-4, f"frame {frame}: value {error.argmax()} is "
+                      f"{have[error.argmax()]:.5f} of {wanted[error.argmax()]:.5f}")
+        support.check(scene.camera.name == ("view", "view", "view", "other")[frame - 1],
+                      f"camera {scene.camera.name}")
+    support.check(len(set(suns[:3])) == 1 and suns[3] != suns[0], f"the sun moves: {suns}")
+    support.check(bpy.data.materials["still"].node_tree.animation_data is None,
+                  "what does not change has no key frames")
+
+
 def gltf():
     """Blender's own importer reads the glTF file of a scene: geometry, camera and lights are equal."""
     import addon_utils
@@ -238,4 +326,4 @@ def damaged():
             support.check(True, f"{root} is refused")
 
 
-support.run([round_trip, scenes, many_files, frames, gltf, damaged])
+support.run([round_trip, scenes, many_files, frames, values_over_frames, gltf, damaged])

@@ -12,7 +12,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import support  # noqa: E402
 
 LIMIT = .03
-SIZE = 96
+SAMPLES = 144
+SIZE = 80
 
 
 def stage():
@@ -182,8 +183,8 @@ def main():
     for name in chosen or CASES:
         stage()
         support.add_sphere(1.0, CASES[name]())
-        ours = support.render("ORIEL", 256, "material")
-        theirs = support.render("CYCLES", 256, "material")
+        ours = support.render("ORIEL", SAMPLES, "material")
+        theirs = support.render("CYCLES", SAMPLES, "material")
         error = difference(ours, theirs)
         whole = (ours[..., :3].mean() / theirs[..., :3].mean()) - 1
         print(f"{name:22s} mean difference {error:6.2%}, mean {whole:+6.2%}", flush=True)

@@ -237,6 +237,30 @@ def surfaces():
     shown("translucent", lambda t, s: mixed(t, .5, green(t), add(
         t, "BsdfTranslucent", {"Color": (.8, .6, .3)}).outputs[0]))
 
+    def rough(tree, strength=.4, **settings):
+        waves = add(tree, "TexWave", {0: coordinate(tree), "Scale": 1.0})
+        return add(tree, "Bump", {"Strength": strength, "Distance": .1, "Height": waves.outputs["Fac"]},
+                   **settings)
+
+    def bumped(tree, surface, **settings):
+        put(tree, surface.inputs["Normal"], rough(tree, **settings).outputs[0])
+        return surface.outputs[0]
+    shown("bump", lambda t, s: bumped(t, s, strength=1.0))
+    shown("weak bump", lambda t, s: bumped(t, s, invert=True))
+
+    def twice(tree, surface):
+        upper = rough(tree)
+        tree.links.new(coordinate(tree, "Object"), upper.inputs["Height"].links[0].from_node.inputs[0])
+        put(tree, upper.inputs["Normal"], rough(tree, 1.0).outputs[0])
+        put(tree, surface.inputs["Normal"], upper.outputs[0])
+        return surface.outputs[0]
+    shown("bump of a bump", twice)
+
+    def flat(tree, surface):  # as FBX files have
+        put(tree, surface.inputs["Normal"], add(tree, "NormalMap").outputs[0])
+        return surface.outputs[0]
+    shown("normal map without a picture", flat)
+
     def metal(tree, surface):
         put(tree, surface.inputs["Metallic"], image_of(
             tree, lambda u, v: (u > .5, u > .5, u > .5), "Non-Color"))

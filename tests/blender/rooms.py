@@ -14,7 +14,7 @@ import support  # noqa: E402
 LIMIT = .035
 
 
-def compare(label, samples=256, size=8, limit=LIMIT):
+def compare(label, samples=96, size=8, limit=LIMIT):
     """Compares the means of blocks of the picture."""
     ours = support.render("ORIEL", samples, label)
     theirs = support.render("CYCLES", samples, label)
@@ -146,7 +146,7 @@ def daylight():
     portal.shape, portal.size, portal.size_y = "RECTANGLE", 1.6, 1.4
     portal.cycles.is_portal = True
     support.add("Portal", portal, (2.5, 0, 1.5), (math.pi / 2, 0, math.pi / 2))
-    compare("daylight", 512)
+    compare("daylight", 192)
 
 
 def lenses():

@@ -17,7 +17,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 DONE = "all tests passed"
 # Scripts that need a window.
 WINDOW = {"viewport.py"}
-XVFB = ["xvfb-run", "-a", "-s", "-screen 0 1280x800x24"]
+XVFB = ["xvfb-run", "-a", "-s", "-screen 0 800x600x24"]
 
 
 def blender():

@@ -137,6 +137,43 @@ def visibility():
     compare("visibility by kinds of rays", .03, 128)
 
 
+def lights_by_rays():
+    """Lights that diffuse surfaces or reflections do not see."""
+    scene = stage(72, 48)
+    support.add_plane(20, support.principled("Floor", (.4, .4, .45), Roughness=.25, Specular=1.0))
+    for k, (kind, flags, settings) in enumerate((
+            ("AREA", ("visible_diffuse",), {"size": .6}),
+            ("AREA", ("visible_glossy", "visible_transmission"), {"size": .6}),
+            ("POINT", ("visible_diffuse",), {"shadow_soft_size": .2}),
+            ("SPOT", ("visible_glossy", "visible_transmission"), {
+                "shadow_soft_size": .1, "spot_size": 1.2}))):
+        ob = add_light(kind, 60, (-3 + 2 * k, 1, 1.2), (.2, 0, 0), **settings)
+        ob.data.color = [(1, .3, .2), (.2, 1, .3), (.3, .4, 1), (1, 1, .3)][k]
+        for flag in flags:
+            setattr(ob, flag, False)
+    sun = add_light("SUN", .3, (0, 0, 5), (-.9, 0, 0), angle=.2)
+    sun.visible_glossy = sun.visible_transmission = False
+    look((0, -6, 2.5), (0, .5, 0), lens=30.0)
+    compare("lights by kinds of rays", .03, 256)
+
+
+def world_by_rays():
+    """A world that some kinds of rays do not see."""
+    scene = stage(64, 48)
+    scene.world.color = (.5, .6, .8)
+    support.add_plane(4, support.diffuse_material((.6, .5, .4)), z=-.6)
+    for x, material in ((-1.2, support.principled("Mirror", (.9, .9, .9), Metallic=1.0, Roughness=.1)),
+                        (0, support.diffuse_material((.7, .3, .2))),
+                        (1.2, support.principled("Glass", (1, 1, 1), Transmission=1.0, Roughness=0.0))):
+        support.add_sphere(.5, material, (x, 0, 0), 24)
+    add_light("AREA", 100, (0, -2, 3), (.6, 0, 0), size=1)
+    look((0, -4, 1), (0, 0, 0), lens=35.0)
+    for kind in ("camera", "diffuse", "glossy", "transmission"):
+        setattr(scene.world.cycles_visibility, kind, False)
+        compare(f"a world without {kind} rays", .04, 128)
+        setattr(scene.world.cycles_visibility, kind, True)
+
+
 def hair():
     scene = stage(64, 64)
     scene.world.color = (.4, .4, .4)
@@ -190,4 +227,4 @@ def compare_circle(label):
     support.check(error < .04, f"{label}: mean difference {error:.2%}")
 
 
-support.run([floors, film, displacement, visibility, hair, panoramas])
+support.run([floors, film, displacement, visibility, lights_by_rays, world_by_rays, hair, panoramas])

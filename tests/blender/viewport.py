@@ -146,7 +146,7 @@ def prepare():
     yield lambda: finished(before)
     seen["camera"] = screenshot("viewport_camera")
     before, jobs = submitted(), session().worker.reloads
-    camera.dof.use_dof, camera.dof.focus_distance, camera.dof.aperture_fstop = True, 2.0, .2
+    camera.dof.use_dof, camera.dof.focus_distance, camera.dof.aperture_fstop = True, 2.0, .03
     yield lambda: finished(before)
     seen["blurred"] = screenshot("viewport_blurred")
     sharp, blurred = (numpy.abs(numpy.diff(seen[k], axis=1)).max() for k in ("camera", "blurred"))
@@ -162,6 +162,21 @@ def prepare():
     yield lambda: finished(before)
     support.check(numpy.isfinite(session().worker.picture.pixels).all(), "the picture is denoised")
     scene.oriel.preview_denoise = False
+    # A sky: that of the program is shown until Blender has rendered a picture of it.
+    before = submitted()
+    scene.world.use_nodes = True
+    tree = scene.world.node_tree
+    sky = tree.nodes.new("ShaderNodeTexSky")
+    tree.nodes["Background"].inputs["Strength"].default_value = .05
+    tree.links.new(sky.outputs[0], tree.nodes["Background"].inputs["Color"])
+    yield lambda: finished(before)
+    text = "".join(session()._scene[0])
+    support.check("mia_physicalsky" in text, "the sky of the program is shown at first")
+    yield lambda: "mib_lookup_spherical" in "".join(session()._scene[0])
+    yield lambda: finished(before)
+    seen["sky"] = screenshot("viewport_sky")
+    support.check(session().worker.error == "" and seen["sky"].std() > .01, "then that of Cycles")
+    scene.world.use_nodes = False
     # A crash of the program is a message.
     os.kill(session().worker.process.pid, signal.SIGSEGV)
     yield lambda: session().worker.error
@@ -180,7 +195,7 @@ def prepare():
 
 bpy.context.preferences.view.show_splash = False  # it would cover the view
 steps = prepare()
-state = {"ready": None, "left": 600}
+state = {"ready": None, "left": 1500}
 
 
 def tick():

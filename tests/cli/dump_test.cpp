@@ -131,5 +131,31 @@ render "root" "c_inst" "o"
   EXPECT_EQ(along, expected) << "instances without a change have no motion";
 }
 
+TEST_F(SceneDumpTest, FramesChangeElements) {
+  const json root = dump(std::string(kScene) + R"(
+incremental camera "c" focal 25 aperture 36 aspect 1.5 resolution 60 40 end camera
+instance "c2_inst" "c" end instance
+incremental instgroup "root" "a" "b" "lamp_inst" "c_inst" "c2_inst" end instgroup
+render "root" "c2_inst" "o"
+incremental shader "paint" "mia_material_x" ( "diffuse" 0 .5 .25 )
+render "root" "c_inst" "o"
+)");
+  ASSERT_TRUE(root.is_object());
+  const json& changes = root["changes"];
+  EXPECT_EQ(changes.size(), 2u) << "the light and the materials do not change: " << changes.dump();
+  const json& camera = changes["cameras"]["c"];
+  ASSERT_EQ(camera.size(), 2u);
+  EXPECT_EQ(camera[0]["frame"], 0);
+  EXPECT_EQ(camera[0]["value"]["focal"], 50);
+  EXPECT_EQ(camera[1]["frame"], 1);
+  EXPECT_EQ(camera[1]["value"]["focal"], 25);
+  const json& paint = changes["shaders"]["paint"];
+  ASSERT_EQ(paint.size(), 2u);
+  EXPECT_EQ(paint[1]["frame"], 2);
+  EXPECT_EQ(paint[0]["value"][0]["parameters"]["diffuse"], json({1, .5, .25}));
+  EXPECT_EQ(paint[1]["value"][0]["parameters"]["diffuse"], json({0, .5, .25}));
+  EXPECT_EQ(root["render"]["cameras"], json({"c_inst", "c2_inst", "c_inst"}));
+}
+
 }  // namespace dump_test
 }  // namespace oriel

@@ -94,6 +94,40 @@ void add_photometric(Cases& all) {
                       {{"\"500\"", Rgb(500 * share)}, {"\"1000\"", Rgb(1000 * share)}}));
 }
 
+/// A directional light on a dark glossy floor, seen along the normal.
+Measured highlight_on_floor(const std::string& call) {
+  SceneText scene;
+  scene.statement(
+      "material \"shiny\" \"oriel_plastic\" ( \"diffuse\" 0 0 0, \"roughness\" .5 ) end material");
+  scene.square("shiny", Vec3(0), 5, kFront).light("l", call + " direction 0 0 -1");
+  return Probe(scene.str(), known_shaders()).onto(Vec3(0), kFront, 0, 64);
+}
+
+void add_by_lobe(Cases& all) {
+  const std::string shader = "oriel_light", above = "origin 0 0 2", white = "color 1 1 1 1";
+  // Intensity 1 / (4 pi) at a distance of 2; a colour of radiance shows 1 / pi of the irradiance.
+  const float share = 1 / (16 * kPi);
+  all.push_back(gives(shader + ".color", light(above), "",
+                      {{"1 1 1 1", Rgb(share)}, {"20 5 0 1", Rgb(20, 5, 0) * share}}));
+  all.push_back(gives(shader + ".shadow", below_card(above), "color 9 9 9 1",
+                      {{"off", Rgb(9 * share)}, {"on", Rgb(0)}}));
+  all.push_back(gives(shader + ".profile", with_profiles, white,
+                      {{"\"500\"", Rgb(500 / (4 * kPi))}, {"\"1000\"", Rgb(1000 / (4 * kPi))}}));
+  // At 1 of 2 units from the axis the cosine is .8944, between the spread .8 and the cone.
+  const std::string spot = "origin 0 0 2 direction 0 0 -1 spread .8";
+  const float lit = 1 / (4 * kPi) / 5 * .8944272f * 100;
+  all.push_back(gives(shader + ".cone", light(spot, Vec3(1, 0, 0)), "color 100 100 100 1",
+                      {{".85", Rgb(lit)}, {"1", Rgb(lit * .4721360f)}}));
+  const std::string sun = "direction 0 0 -1";
+  all.push_back(both(
+      gives(shader + ".diffuse", light(sun), white,
+            {{"1", Rgb(1)}, {".25", Rgb(.25f)}, {"0", Rgb(0)}}),
+      gives(shader + ".diffuse", highlight_on_floor, white, {{"1", Rgb(.16f)}, {"0", Rgb(.16f)}})));
+  all.push_back(both(gives(shader + ".glossy", highlight_on_floor, white,
+                           {{"1", Rgb(.16f)}, {".5", Rgb(.08f)}, {"0", Rgb(0)}}),
+                     gives(shader + ".glossy", light(sun), white, {{"1", Rgb(1)}, {"0", Rgb(1)}})));
+}
+
 /// Adds an infinite light of that colour and its instance "name_i".
 void add_sun(SceneText& scene, const std::string& name, const Vec3& color, const Vec3& direction) {
   scene.light(name,
@@ -163,6 +197,7 @@ Cases cases() {
   Cases all;
   add_simple(all);
   add_photometric(all);
+  add_by_lobe(all);
   add_shadow(all);
   add_lightmap(all);
   return all;

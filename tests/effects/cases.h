@@ -35,6 +35,7 @@ Cases other_max_material_cases();
 Cases other_max_texture_cases();
 Cases other_oriel_cases();
 Cases oriel_node_cases();
+Cases oriel_texture_cases();
 Cases other_physics_cases();
 Cases other_production_cases();
 Cases other_volume_cases();
@@ -60,6 +61,7 @@ inline std::vector<Cases (*)()> case_lists() {
       oriel_node_cases,        other_physics_cases,
       other_production_cases,  other_volume_cases,
       photon_slot_cases,       subsurface_cases,
+      oriel_texture_cases,
   };
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oriel's nodes and the plastic: shaders/oriel/oriel_arithmetic.cpp, oriel_facing.cpp,
-// oriel_plastic.cpp.
+// oriel_bump.cpp, oriel_plastic.cpp.
 #include "cases.h"
 #include "other_stages.h"
 #include "prepare/testing/prepared_scene.h"
@@ -145,6 +145,36 @@ void add_plastic_reflection(Cases& all) {
                       {{"null", Rgb(.5f)}, {"\"glow\"", Rgb(.6f, .7f, .8f)}}));
 }
 
+/// The bumped normal on a plane whose height "ramp" falls by .75 per unit of x. Differences of
+/// single precision are not exact.
+Case bumped(const std::string& parameter, const std::string& others,
+            const std::vector<Given>& values) {
+  return shows("oriel_bump." + parameter, [=] {
+    const std::string ramp =
+        "shader \"at\" \"mib_texture_vector\" ( \"select\" -1, \"selspace\" 1 )\n"
+        "shader \"slope\" \"oriel_math\" ( \"operation\" 2, \"input1\" = \"at\", "
+        "\"input2\" -.75 0 0 )\n"
+        "shader \"ramp\" \"mib_color_average\" ( \"input\" = \"slope\", \"factor\" 3 )\n";
+    for (const Given& each : values) {
+      const std::string set = others + ", " + parameter + " " + each.value;
+      const Rgb found = value(ramp)(call_of("oriel_bump", set)).mean;
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], each.expected[k], 2e-3f) << set;
+    }
+  });
+}
+
+void add_bump(Cases& all) {
+  const std::string ramp = "height = \"ramp\"";
+  const Rgb flat(0, 0, 1), tilted(.6f, 0, .8f);
+  all.push_back(bumped("height", "distance 1", {{"1", flat}, {"= \"ramp\"", tilted}}));
+  all.push_back(
+      bumped("distance", ramp, {{"0", flat}, {"1", tilted}, {"2", {.83205f, 0, .5547f}}}));
+  all.push_back(
+      bumped("strength", ramp, {{"0", flat}, {".5", {.316228f, 0, .948683f}}, {"1", tilted}}));
+  all.push_back(bumped("bump_mode", ramp, {{"5", tilted}, {"6", tilted}, {"7", tilted}}));
+  all.push_back(bumped("normal", "height 1", {{"0 0 0", flat}, {".6 0 .8", tilted}}));
+}
+
 }  // namespace
 }  // namespace oriel_nodes
 
@@ -154,6 +184,7 @@ Cases oriel_node_cases() {
   oriel_nodes::add_blend(all);
   oriel_nodes::add_hue_saturation(all);
   oriel_nodes::add_facing(all);
+  oriel_nodes::add_bump(all);
   oriel_nodes::add_plastic_diffuse(all);
   oriel_nodes::add_plastic_reflection(all);
   return all;

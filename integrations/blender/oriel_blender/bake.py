@@ -8,7 +8,7 @@ import bmesh
 import bpy
 from bpy.props import IntProperty
 
-from . import nodes, world as links
+from . import nodes, textures, world as links
 from .engine import ENGINE
 
 PROPERTY = "oriel_bake"
@@ -35,7 +35,8 @@ def has_unsupported(socket, seen=()):
         node = link.from_node
         if node.name in seen or node.mute:
             continue
-        known = node.type in TRANSPARENT or node.type in nodes.TRANSLATORS or \
+        known = node.type in TRANSPARENT or \
+            node.type in nodes.TRANSLATORS and textures.has_equivalent(node) or \
             node.bl_idname.startswith("OrielNode_")
         if not known or any(has_unsupported(s, (*seen, node.name)) for s in node.inputs):
             return True

@@ -119,7 +119,8 @@ def bokeh_call(camera_object, camera, to_world):
 def write(out, scene, camera_object, to_world, size, environment, options):
     """Writes camera and instance; returns the name of the instance.
 
-    size: width and height in pixels. options: shift_x of multi-view, motion matrix or None.
+    size: width and height in pixels. options: shift_x of multi-view, motion matrix or None; farthest:
+    distance that must be seen.
     """
     camera = camera_object.data
     width, height = size
@@ -140,7 +141,8 @@ def write(out, scene, camera_object, to_world, size, environment, options):
     if offset_x or offset_y:
         text += f"  offset {mi.number(offset_x)} {mi.number(offset_y)}\n"
     if camera.type != "PANO":
-        text += f"  clip {mi.number(camera.clip_start)} {mi.number(camera.clip_end)}\n"
+        end = max(camera.clip_end, options.get("farthest", 0.0))
+        text += f"  clip {mi.number(camera.clip_start)} {mi.number(end)}\n"
     out.add(text + "end camera\n")
     motion = ""
     if options.get("motion") is not None:

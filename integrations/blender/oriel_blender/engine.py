@@ -118,7 +118,8 @@ class OrielEngine(bpy.types.RenderEngine):
         scene, layer = depsgraph.scene, depsgraph.view_layer
         if view:
             self.active_view_set(view)
-        camera_object = scene.camera
+        # Animations of the command line update evaluated data only.
+        camera_object = depsgraph.scene_eval.camera
         matrix = numpy.array(self.camera_model_matrix(camera_object), numpy.float64).reshape(4, 4)
         shift = {"shift_x": self.camera_shift_x(camera_object)} if view else {}
         folder = session_folder()
@@ -127,6 +128,8 @@ class OrielEngine(bpy.types.RenderEngine):
         exporter = export.Exporter(
             depsgraph, folder, mesh_folder(), self.warn,
             None if self.is_preview else self.frame_set, matrix, shift)
+        if self.is_preview:
+            exporter.baker = None  # previews are small and frequent
         name = "preview" if self.is_preview else "frame"
         scene_path = exporter.write(os.path.join(folder, f"{name}.mi"), size)
         print(f"Oriel: exported in {time.time() - started:.2f} s, "

@@ -4,8 +4,8 @@ import os
 
 import numpy
 
-from . import (camera, curves, images, lights, materials, meshes, mi, variants, versions,
-               world)
+from . import (camera, curves, images, light_links, lights, materials, meshes, mi, variants, versions, world,
+               world_bake)
 
 MOTION_STEPS = 8  # of transforms that turn
 NARROW = .9999  # refl_gloss of a lobe of 0.16 degrees
@@ -52,14 +52,18 @@ class Exporter:
         self._report = report
         self.transparent = False   # the picture is without its background, which is subtracted
         self._background = ""      # the scene without objects
+        self.baker = world_bake.Baker(folder)
         self.images = images.Images(self.out, folder, self.report)
         self.materials = materials.MaterialWriter(self.out, self.images, self.report)
+        self.links = light_links.LightLinks(self.report)
         self.holdouts = set()      # names of instances that are held out
         self.groups = {}           # light group -> instance names
         self.known = {}            # key of geometry -> name and file of an earlier export
         self._objects = {}         # key of geometry -> element name
-        self._motion = {}          # key of instance -> matrix at shutter close
-        self._motion_points = {}   # key of geometry -> points at shutter close
+        self._opening = {}         # key of instance -> matrix at shutter opening
+        self._motion = {}          # the same at shutter close
+        self._opening_points = {}  # key of geometry -> points at shutter opening
+        self._motion_points = {}   # the same at shutter close
         self._middle_points = {}   # key of geometry -> points at the middle of the shutter
 
     def report(self, text):
@@ -78,23 +82,26 @@ class Exporter:
         start = {"START": 0.0, "CENTER": -shutter / 2, "END": -shutter}.get(position, -shutter / 2)
         return start, start + shutter
 
-    def set_time(self, time):
-        """Moves to a time relative to the frame."""
-        frame = self.scene.frame_current
-        whole = int(numpy.floor(frame + time))
-        self.frame_set(whole, frame + time - whole)
-        return frame
-
     def read_motion(self, start, end):
-        """Reads matrices at shutter close, and points there and at the middle of the shutter."""
-        frame = self.set_time(end)
-        self.read_close()
-        if self._motion_points:
+        """Reads matrices and points at shutter opening and close, and points at its middle. Everything
+        else is that of the frame, as in Cycles."""
+        frame = self.scene.frame_current
+
+        def at(time):
+            whole = int(numpy.floor(frame + time))
+            self.frame_set(whole, frame + time - whole)
+        try:
+            at(start)
+            self._opening = self.read_matrices()
+            self.read_points(self._opening_points)
+            at(end)
+            self._motion = self.read_matrices()
+            self.read_points(self._motion_points)
+            if self._motion_points:
+                at((start + end) / 2)
+                self.read_points(self._middle_points)
+        finally:
             self.frame_set(frame, 0.0)
-            self.set_time((start + end) / 2)
-            self.read_points(self._middle_points)
-        self.frame_set(frame, 0.0)
-        self.set_time(start)
 
     def read_points(self, found):
         for instance in self.depsgraph.object_instances:
@@ -103,14 +110,20 @@ class Exporter:
             if ob.type == "MESH" and key not in found and self.deforms(ob):
                 found[key] = meshes.points_of(ob.data)
 
-    def read_close(self):
-        self.read_points(self._motion_points)
+    def read_matrices(self):
+        """Matrices of the instances by their keys, and of the camera."""
+        found = {}
         for instance in self.depsgraph.object_instances:
             placed = Placed(instance)
-            self._motion[placed.key] = placed.matrix
-        camera_object = self.scene.camera
+            found[placed.key] = placed.matrix
+        camera_object = self.depsgraph.scene_eval.camera
         if camera_object:
-            self._motion["camera"] = numpy.array(camera_object.matrix_world, numpy.float64)
+            found["camera"] = numpy.array(camera_object.matrix_world, numpy.float64)
+        return found
+
+    def opening(self, placed):
+        """The matrix of an instance at shutter opening."""
+        return self._opening.get(placed.key, placed.matrix)
 
     @staticmethod
     def deforms(ob):
@@ -122,16 +135,11 @@ class Exporter:
     def write(self, path, size):
         """Writes the scene to a file; returns the path."""
         blur = self.motion_blur()
-        frame = self.scene.frame_current
         if blur:
             self.read_motion(*blur)
             self.scene = self.depsgraph.scene_eval
-        try:
-            environment = self.body(blur)
-            instance = self.camera(size, environment)
-        finally:
-            if blur:
-                self.frame_set(frame, 0.0)
+        environment = self.body(blur)
+        instance = self.camera(size, environment)
         write_text(path, self.out.text() + self.ending(self.out.members, instance))
         if self.transparent:
             view = "".join(self.out.parts[self._camera_part:])
@@ -142,7 +150,10 @@ class Exporter:
     def body(self, blur=None):
         """Adds everything but the camera; returns the name of the environment shader."""
         self.out.add(self.options(blur))
-        environment = world.WorldWriter(self.out, self.images, self.report).write(self.scene.world)
+        writer = world.WorldWriter(self.out, self.images, self.report, self.baker)
+        environment = writer.write(self.scene.world)
+        if writer.shows_disc:
+            self.view = {**self.view, "farthest": 2 * lights.SUN_DISTANCE}
         self.transparent = bool(environment) and self.scene.render.film_transparent
         self._background = self.out.text()
         self.instances()
@@ -175,8 +186,12 @@ class Exporter:
         if matrix is None:
             matrix = numpy.array(camera_object.matrix_world, numpy.float64)
         options = dict(self.view)
-        if "camera" in self._motion and not numpy.allclose(self._motion["camera"], matrix):
-            options["motion"] = self._motion["camera"]
+        if "camera" in self._motion and "camera" in self._opening:
+            # The view of an eye of stereo pictures is relative to the camera.
+            eye = numpy.linalg.inv(numpy.array(camera_object.matrix_world, numpy.float64)) @ matrix
+            matrix, close = (found["camera"] @ eye for found in (self._opening, self._motion))
+            if not numpy.allclose(close, matrix):
+                options["motion"] = close
         self._camera_part = len(self.out.parts)
         return camera.write(self.out, self.scene, camera_object, matrix, size, environment, options)
 
@@ -184,11 +199,17 @@ class Exporter:
         if any(hidden_shape(instance.object) for instance in self.depsgraph.object_instances):
             # Mirrors do not see lights that the camera does not see; narrow lobes do.
             self.materials.sharpest = NARROW
+        lights_first = light_links.are_used(self.depsgraph.object_instances)
+        if lights_first:  # lists of objects name them
+            for instance in self.depsgraph.object_instances:
+                if instance.object.type == "LIGHT" and instance.show_self:
+                    self.light(instance.object, Placed(instance))
         for instance in self.depsgraph.object_instances:
             placed = Placed(instance)
             ob = instance.object
             if ob.type == "LIGHT" and placed.show:
-                self.light(ob, placed)
+                if not lights_first:
+                    self.light(ob, placed)
             elif ob.type in SURFACES and placed.show:
                 self.surface(ob, placed)
             elif ob.type in {"CURVES", "HAIR"} and placed.show:
@@ -200,23 +221,28 @@ class Exporter:
         return placed.owner.is_holdout or placed.owner.holdout_get(view_layer=self.original_layer)
 
     def visibility(self, ob, placed):
+        return self.links.statement(ob.original.name) + self.ray_visibility(ob, placed)
+
+    def ray_visibility(self, ob, placed):
         if placed.owner.indirect_only_get(view_layer=self.original_layer):
             return "  visible off\n" + visibility(ob).replace("  visible off\n", "")
         return visibility(ob)
 
     def motion_statement(self, placed):
         end = self._motion.get(placed.key)
-        if end is None or numpy.allclose(end, placed.matrix, rtol=0, atol=1e-9):
+        if end is None or numpy.allclose(end, self.opening(placed), rtol=0, atol=1e-9):
             return ""
         return mi.transform(end, "motion transform") or ""
 
     def light(self, ob, placed):
         name = self.out.names.unique(placed.name)
-        motion = self._motion.get(placed.key)
-        if motion is not None and numpy.allclose(motion, placed.matrix):
+        motion, matrix = self._motion.get(placed.key), self.opening(placed)
+        if motion is not None and numpy.allclose(motion, matrix):
             motion = None
-        written = lights.write(self.out, ob, ob.data, name, placed.matrix, motion, self.report,
+        written = lights.write(self.out, ob, ob.data, name, matrix, motion, self.report,
                                self.folder)
+        if written:
+            self.links.add(ob.original, written)
         group = getattr(ob.original, "lightgroup", "")
         if written and group:
             self.groups.setdefault(group, []).append(written)
@@ -238,7 +264,7 @@ class Exporter:
         slots = [override or slot.material for slot in ob.material_slots] or [override]
         def values_of(wanted):
             return variants.values_of(wanted, ob, placed)
-        written = [self.materials.write(m.original if m else None, values_of) for m in slots]
+        written = [self.materials.write(m, values_of) for m in slots]
         if self.is_held_out(placed):
             written = [(self.materials.held_out(name), count) for name, count in written]
         return [name for name, _ in written], max(count for _, count in written)
@@ -257,7 +283,7 @@ class Exporter:
         name = self.out.names.unique(placed.name)
         if self.is_held_out(placed):
             self.holdouts.add(name)
-        if not self.out.instance(name, element, placed.matrix, extra):
+        if not self.out.instance(name, element, self.opening(placed), extra):
             self.report(f'object "{placed.name}": its transform is singular; it is skipped')
         group = getattr(ob.original, "lightgroup", "")
         if group:
@@ -285,6 +311,9 @@ class Exporter:
             data.labels = numpy.clip(data.labels, 0, len(ob.material_slots) - 1)
         else:
             data.labels = numpy.zeros_like(data.labels)
+        first = self._opening_points.get(key[:-1])
+        if first is not None and first.shape == data.points.shape:
+            data.points, data.smooth = first, None
         motion = self.displacements(key[:-1], data.points)
         name = self.out.names.unique((ob.data.name if ob.data else ob.name) + ".mesh")
         path = self.meshes.add_mesh(name, data, motion)
@@ -328,7 +357,7 @@ class Exporter:
         path = self.meshes.store(chunks, "hair")
         self.out.add(f"$include {mi.quoted(str(path))}\n")
         extra = f"  material {mi.quoted(names[min(slot, len(names) - 1)])}\n"
-        self.out.instance(self.out.names.unique(placed.name), name, placed.matrix,
+        self.out.instance(self.out.names.unique(placed.name), name, self.opening(placed),
                           extra + self.visibility(ob, placed) + self.motion_statement(placed))
 
 

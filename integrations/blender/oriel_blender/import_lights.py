@@ -94,15 +94,15 @@ def set_shape(made, area):
         made.size, made.size_y = Vector(values[0:3]).length, Vector(values[3:6]).length
 
 
-def orient(ob, source):
-    """Turns the object so that its -z axis is the direction of the light, at its origin."""
-    area, matrix = source.get("area"), ob.matrix_world.copy()
+def orientation(matrix, source, data):
+    """The matrix of an object whose -z axis is the direction of the light, at its origin."""
+    area = source.get("area")
     direction = Vector(source.get("direction", (0, 0, -1)))
     if area and area["shape"] == "rectangle" and len(area["numbers"]) >= 6:
         x = Vector(area["numbers"][0:3]).normalized()
         z = -direction.normalized() if "direction" in source else \
             x.cross(Vector(area["numbers"][3:6])).normalized()
-        if getattr(getattr(ob.data, "cycles", None), "is_portal", False):
+        if getattr(getattr(data, "cycles", None), "is_portal", False):
             z = -z  # portals shine along +z
     else:
         z = -direction.normalized()
@@ -110,10 +110,9 @@ def orient(ob, source):
         if z.z > .999999:
             x = Vector((1, 0, 0))
     y = z.cross(x).normalized()
-    local = matrix.to_3x3() @ _columns(x, y, z)
-    position = matrix @ Vector(source.get("origin", (0, 0, 0)))
-    ob.matrix_world = local.to_4x4()
-    ob.location = position
+    turned = (matrix.to_3x3() @ _columns(x, y, z)).to_4x4()
+    turned.translation = matrix @ Vector(source.get("origin", (0, 0, 0)))
+    return turned
 
 
 def _columns(x, y, z):
@@ -137,8 +136,9 @@ def focus(dump, source, camera):
         camera.dof.aperture_fstop = length / (2 * radius)
 
 
-def exposure(dump, source, scene):
+def exposure(dump, source):
     """The exposure of the view as that of mia_exposure_photographic, without its curve."""
+    result = 0.0
     for use in source.get("lens", ()):
         call = dump.call(use)
         if not call or call["type"] != "mia_exposure_photographic":
@@ -149,20 +149,21 @@ def exposure(dump, source, scene):
             factor /= EXPOSURE_CONSTANT * get("f_number", 16) ** 2 * \
                 get("camera_shutter", 100) * 100 / iso
         if factor > 0:
-            scene.view_settings.exposure = min(max(math.log2(factor), -32), 32)
+            result = min(max(math.log2(factor), -32), 32)
+    return result
 
 
-def environment(reader, source, scene):
-    """The world of the environment shader of the camera."""
+def environment(reader, source, frame=None):
+    """The world of the environment shader of a camera; frame: from 0, the last one if None."""
     kind, parameters = parameters_of(reader.dump, source.get("environment", ()))
     world = bpy.data.worlds.new("World")
-    scene.world = world
     world.use_nodes = True
     tree = world.node_tree
     background = next(n for n in tree.nodes if n.type == "BACKGROUND")
     background.inputs["Color"].default_value = (0, 0, 0, 1)
     if kind == "mia_physicalsky":
-        sky(reader, parameters, tree, background)
+        world.oriel.sky_model = "PHYSICAL"  # the same sky in Oriel
+        sky(reader, parameters, tree, background, reader.frames.count - 1 if frame is None else frame)
     elif kind == "mib_lookup_spherical":
         image = reader.materials.image(parameters.get("tex", ""))
         if image is not None:
@@ -176,9 +177,10 @@ def environment(reader, source, scene):
         background.inputs["Color"].default_value = (*rgb, 1)
     elif kind:
         reader.report(f"the environment shader {kind} is left out; the world is black")
+    return world
 
 
-def sky(reader, parameters, tree, background):
+def sky(reader, parameters, tree, background, frame):
     """Sun and sky as a sky texture; the strength converts its units (world.py)."""
     node = tree.nodes.new("ShaderNodeTexSky")
     types = {item.identifier for item in node.bl_rna.properties["sky_type"].enum_items}
@@ -189,10 +191,10 @@ def sky(reader, parameters, tree, background):
         p["name"] == parameters.get("sun") or parameters_of(
             reader.dump, reader.lights[p["element"]]["shaders"])[0] == "mia_physicalsun")]
     if suns:
-        from .importer import matrix_of
         element = reader.lights[suns[0]["element"]]
+        element = reader.frames.version("lights", element["name"], frame, element)
         toward = -Vector(element.get("direction", (0, 0, -1)))
-        rotation = (reader._upright @ matrix_of(suns[0]["matrix"])).to_3x3()
+        rotation = reader.matrix_at(suns[0], frame).to_3x3()
         direction = numpy.array((rotation @ toward).normalized())
     elif isinstance(parameters.get("sun_direction"), list):
         direction = numpy.array(reader._upright.to_3x3() @ Vector(parameters["sun_direction"][:3]))

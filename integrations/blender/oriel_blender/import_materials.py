@@ -33,12 +33,17 @@ class MaterialReader:
             self._done[name] = self.make(name) if name in self.elements else None
         return self._done[name]
 
-    def make(self, name):
+    def made(self):
+        """Names and materials so far."""
+        return [(name, material) for name, material in self._done.items() if material is not None]
+
+    def make(self, name, element=None):
+        """A new material of an element, or of another version of it."""
         material = bpy.data.materials.new(name)
         material.use_nodes = True
         tree = material.node_tree
         principled = next(n for n in tree.nodes if n.type == "BSDF_PRINCIPLED")
-        uses = self.elements[name]["shaders"]
+        uses = (element or self.elements[name])["shaders"]
         call = self.dump.call(uses[-1]) if uses else None
         if call is None:
             return material

@@ -7,7 +7,7 @@ import numpy
 from bpy.props import EnumProperty, StringProperty
 from mathutils import Matrix
 
-from . import dump, import_lights, import_materials, program, versions
+from . import dump, import_frames, import_lights, import_materials, program, versions
 
 Y_UP = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
 
@@ -34,7 +34,9 @@ class SceneReader:
         self.cameras = {c["name"]: c for c in source.list("cameras")}
         self.lights = {l["name"]: l for l in source.list("lights")}
         self.objects = {o["name"]: o for o in source.list("objects")}
+        self.frames = import_frames.Frames(source)
         self._meshes = {}
+        self._data = {}  # kind and element -> camera or light
         self._upright = Y_UP if up == "Y" or (up == "AUTO" and self.y_is_up()) else Matrix()
 
     def report(self, text):
@@ -62,16 +64,29 @@ class SceneReader:
                 continue
             ob = bpy.data.objects.new(placed["name"], data)
             collection.objects.link(ob)
-            ob.matrix_world = self._upright @ matrix_of(placed["matrix"])
-            if placed["kind"] == "light":
-                import_lights.orient(ob, self.lights[placed["element"]])
-            if "motion" in placed:
-                self.animate(ob, placed)
+            ob.matrix_world = self.pose(placed, self.frames.count - 1, data)
+            self.animate(ob, placed)
             if placed["kind"] == "camera":
                 cameras[placed["name"]] = ob, self.cameras[placed["element"]]
             if placed["kind"] == "object":
                 self.assign_materials(ob, placed)
         self.finish(cameras)
+
+    def matrix_at(self, placed, frame):
+        """The matrix of a placement in a frame, from 0."""
+        if "motion" in placed:
+            rows = self.dump.floats(placed["motion"], 16)
+            return self._upright @ matrix_of(rows[min(frame, len(rows) - 1)].tolist())
+        return self._upright @ matrix_of(placed["matrix"])
+
+    def pose(self, placed, frame, data):
+        """The matrix of an object in a frame. Lights of Blender shine along -z."""
+        matrix = self.matrix_at(placed, frame)
+        if placed["kind"] != "light":
+            return matrix
+        element = self.lights[placed["element"]]
+        return import_lights.orientation(
+            matrix, self.frames.version("lights", element["name"], frame, element), data)
 
     def finish(self, cameras):
         scene = self.context.scene
@@ -85,21 +100,54 @@ class SceneReader:
             aspect = element.get("aspect", width / height) * height / width
             scene.render.pixel_aspect_x = max(aspect, 1.0)
             scene.render.pixel_aspect_y = max(1 / aspect, 1.0)
-            import_lights.exposure(self.dump, element, scene)
-            import_lights.environment(self, element, scene)
-        frames = int(render.get("frames", 1))
-        if frames > 1:
-            scene.frame_start, scene.frame_end = 1, frames
-            scene.frame_set(frames)
-            self.report(f"the scene has {frames} frames; the placements of all of them are "
-                        "imported, everything else is that of the last one")
+            scene.view_settings.exposure = import_lights.exposure(self.dump, element)
+            scene.world = import_lights.environment(self, element)
+        if self.frames.count > 1:
+            scene.frame_start, scene.frame_end = 1, self.frames.count
+            self.animate_elements(chosen[1] if chosen else None)
+            import_frames.mark_cameras(self.frames, scene, cameras)
+            scene.frame_set(self.frames.count)
+            self.report(f"the scene has {self.frames.count} frames; meshes, textures and connections "
+                        "are those of the last one")
+
+    def animate_elements(self, camera):
+        """Key frames of everything but placements; camera: element of the rendered camera."""
+        frames, kept = self.frames, list(self.reports)
+        for placed in self.dump.list("instances"):
+            kind, name = placed["kind"], placed["element"]
+            data = self._data.pop((kind, name), None)
+            if data is not None and kind == "camera":
+                import_frames.animate_data(frames, "cameras", self.cameras[name], data,
+                                           import_frames.CAMERA, self.camera_data,
+                                           bpy.data.cameras.remove)
+            elif data is not None and kind == "light":
+                import_frames.animate_data(
+                    frames, "lights", self.lights[name], data, import_frames.LIGHT,
+                    lambda source: import_lights.light(self, source), bpy.data.lights.remove)
+        changed = [name for name, material in self.materials.made() if not
+                   import_frames.animate_material(frames, self.materials.elements[name], material,
+                                                  lambda v: self.materials.make(v["name"], v))]
+        if camera is not None:
+            world = self.context.scene.world
+            import_frames.animate_world(frames, camera, world.node_tree,
+                                        lambda v, i: import_lights.environment(self, v, i))
+            import_frames.animate_exposure(
+                frames, camera, self.context.scene,
+                lambda v: import_lights.exposure(self.dump, v))
+        self.reports[:] = kept
+        for name in changed:
+            self.report(f'material "{name}": its connections change over frames; those of the last '
+                        "one are imported")
 
     def animate(self, ob, placed):
         """Key frames of location, rotation and scale; one for each frame of the scene."""
-        rows = self.dump.floats(placed["motion"], 16).tolist()
-        # Lights shine along another axis, so they have a turn of their own.
-        turn = (self._upright @ matrix_of(placed["matrix"])).inverted_safe() @ ob.matrix_world
-        poses = [self._upright @ matrix_of(row) @ turn for row in rows]
+        element = self.lights.get(placed["element"]) if placed["kind"] == "light" else None
+        if "motion" not in placed and not (
+                element and self.frames.frames_of("lights", [element["name"]])):
+            return
+        poses = [self.pose(placed, frame, ob.data) for frame in range(self.frames.count)]
+        if all(pose == poses[0] for pose in poses):
+            return
         parts = [pose.decompose() for pose in poses]
         ob.rotation_mode = "QUATERNION"
         for i in range(1, len(parts)):  # the shorter way between two frames
@@ -179,7 +227,20 @@ class SceneReader:
                 slot.material = material
 
     def make_camera(self, placed):
-        source = self.cameras[placed["element"]]
+        return self.shared("camera", placed, self.camera_data, self.cameras)
+
+    def make_light(self, placed):
+        return self.shared("light", placed, lambda source: import_lights.light(self, source),
+                           self.lights)
+
+    def shared(self, kind, placed, make, elements):
+        """The data of an element, which all its placements have."""
+        key = kind, placed["element"]
+        if key not in self._data:
+            self._data[key] = make(elements[placed["element"]])
+        return self._data[key]
+
+    def camera_data(self, source):
         camera = bpy.data.cameras.new(source["name"])
         width, height = source.get("resolution", (1280, 720))
         aspect = source.get("aspect", width / height)
@@ -198,9 +259,6 @@ class SceneReader:
         camera.clip_end = far if far > 0 else 1e5
         import_lights.focus(self.dump, source, camera)
         return camera
-
-    def make_light(self, placed):
-        return import_lights.light(self, self.lights[placed["element"]])
 
 
 class ORIEL_OT_import(bpy.types.Operator):

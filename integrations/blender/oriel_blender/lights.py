@@ -6,9 +6,6 @@ import os
 
 from . import camera, mi, versions
 
-# Visibility flags that lights of the program do not have.
-RAYS = {"visible_diffuse": "diffuse surfaces", "visible_glossy": "reflections",
-        "visible_transmission": "refractions"}
 LUMENS_OF_WATT = 177.83  # of IES profiles in Cycles: the luminous efficacy of its white light
 PROFILE_ANGLES = 1801  # of profiles of area lights with spread and of spots
 SUN_DISTANCE = 1e5  # scene units; a scene of 100 units sees the disc under 0.06 degrees of parallax
@@ -90,9 +87,6 @@ def write(out, ob, light, name, matrix, motion, report, folder):
 
     folder: of files that the light needs.
     """
-    for kind, text in RAYS.items():
-        if not getattr(ob, kind, True):
-            report(f'light "{light.name}": {text} see it although its visibility is off')
     factor, profile = node_factor(light, report)
     element = out.names.unique(name + ".light")
     unit = matrix
@@ -108,10 +102,24 @@ def write(out, ob, light, name, matrix, motion, report, folder):
     else:
         body = point(out, light, factor, profile, getattr(ob, "visible_camera", True), report,
                      folder)
-    out.light(element, *body)
+    out.light(element, *by_lobe(ob, light, body, report))
     instance = out.names.unique(name)
     extra = mi.transform(motion, "motion transform") or "" if motion is not None else ""
     return instance if out.instance(instance, element, unit, extra) else None
+
+
+def by_lobe(ob, light, body, report):
+    """A light with the visibility of its object: oriel_light has the parameters of its shader, and
+    factors by the kind of surface."""
+    diffuse, glossy, through = (getattr(ob, f"visible_{kind}", True)
+                                for kind in ("diffuse", "glossy", "transmission"))
+    shader, rest = body
+    if (diffuse and glossy and through) or shader.shader == "mia_portal_light":
+        return body
+    if glossy != through:
+        report(f'light "{light.name}": refractions see it as reflections do')
+    values = dict(shader.parameters, diffuse=float(diffuse), glossy=float(glossy))
+    return mi.call_of("oriel_light", values), rest
 
 
 def product(a, b):
@@ -126,12 +134,17 @@ def sun(light, factor):
         shader = mi.call("mib_light_infinite", color=tuple(c / math.pi for c in irradiance),
                          shadow=versions.light_casts_shadow(light))
         return shader, "  direction 0 0 -1\n"
+    return sun_disc(irradiance, angle, False)
+
+
+def sun_disc(irradiance, half, visible):
+    """A distant disc with that half angle."""
     # physical_light has 4 times the intensity along the normal, which is E D^2.
     shader = mi.call("physical_light",
                      color=tuple(4 * c * SUN_DISTANCE ** 2 for c in irradiance))
-    radius = SUN_DISTANCE * math.tan(min(angle, 1.4))
+    radius = SUN_DISTANCE * math.tan(min(half, 1.4))
     return shader, (f"  origin 0 0 {mi.number(SUN_DISTANCE)}\n  direction 0 0 -1\n"
-                    f"  disc 0 0 -1 {mi.number(radius)} visible off\n")
+                    f"  disc 0 0 -1 {mi.number(radius)} visible {'on' if visible else 'off'}\n")
 
 
 def profile_light(out, light, power, intensity, folder):

@@ -196,6 +196,8 @@ class MaterialWriter:
 
     def normal_map(self, graph, node, parameters):
         found = graph.origin(node.inputs["Color"])
+        if found is None:
+            return  # the default colour is the normal of the surface
         if node.space != "TANGENT" or found is None or found[0] is nodes.CONSTANT or \
                 found[0].type != "TEX_IMAGE":
             graph.unsupported(node, "is read only in tangent space with an image")
@@ -216,20 +218,23 @@ class MaterialWriter:
         """Bump of a Bump or Displacement node; heights are in scene units along the surface."""
         displaces = node.type == "DISPLACEMENT"
         height = graph.scalar(graph.value(node.inputs["Height"]))
+        below = {}
+        if not displaces and node.inputs["Normal"].is_linked:
+            self.bumped(graph, node, below)
         if not isinstance(height, mi.Connection):
+            parameters.update(below)
             return
         strength = 1.0 if displaces else graph.scalar(graph.value(node.inputs["Strength"]))
         distance = graph.scalar(graph.value(node.inputs["Scale" if displaces else "Distance"]))
-        if any(isinstance(v, mi.Connection) for v in (strength, distance)):
-            graph.unsupported(node, "has a linked strength or distance and is ignored")
-            return
-        if not displaces and node.inputs["Normal"].is_linked:
-            graph.unsupported(node, "has a linked normal, which is ignored")
-        sign = -1.0 if getattr(node, "invert", False) else 1.0
-        graph.space("uv", "")  # its derivatives are the directions of the slopes
-        parameters["overall_bump"] = graph.add("bump", "maya_bump2d", bumpValue=height,
-                                               bumpDepth=sign * strength * distance)
-        parameters["bump_mode"] = 8
+        if isinstance(distance, mi.Connection) and getattr(node, "invert", False):
+            distance = arithmetic.operate(graph, "MULTIPLY", distance, -1.0)
+        if not isinstance(distance, mi.Connection):
+            distance *= -1.0 if getattr(node, "invert", False) else 1.0
+        graph.space("uv", "")  # texture coordinates move by its derivatives
+        parameters["overall_bump"] = graph.add(
+            "bump", "oriel_bump", height=height, distance=distance, strength=strength,
+            bump_mode=5, normal=below.get("overall_bump", (0.0, 0.0, 0.0)))
+        parameters["bump_mode"] = 5
 
     def principled(self, graph, node):
         read = Principled(graph, node)

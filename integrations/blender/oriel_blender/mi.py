@@ -13,7 +13,7 @@ class Words(str):
 
 def quoted(text):
     """A string of the language. It cannot contain line breaks."""
-    clean = "".join(" " if ord(c) < 32 else c for c in text)
+    clean = text if text.isprintable() else "".join(" " if ord(c) < 32 else c for c in text)
     return '"' + clean.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
@@ -130,7 +130,10 @@ def inverse_rows(to_world):
     matrix = numpy.array(to_world, dtype=numpy.float64)
     if not numpy.all(numpy.isfinite(matrix)) or abs(numpy.linalg.det(matrix[:3, :3])) < 1e-30:
         return None
-    return numpy.linalg.inv(matrix).T.ravel()
+    return numpy.linalg.inv(matrix).T.ravel().tolist()
+
+
+IDENTITY = numpy.eye(4).ravel().tolist()
 
 
 def transform(to_world, keyword="transform"):
@@ -138,8 +141,6 @@ def transform(to_world, keyword="transform"):
     rows = inverse_rows(to_world)
     if rows is None:
         return None
-    if keyword == "transform" and numpy.array_equal(rows, numpy.eye(4).ravel()):
-        return ""
     return f"  {keyword} {numbers(rows)}\n"
 
 
@@ -148,9 +149,10 @@ def instance_part(name, element, to_world, extra=""):
     rows = inverse_rows(to_world)
     if rows is None:
         return None
-    text = (f"instance {quoted(name)} {quoted(element)}\n{transform(to_world)}{extra}"
-            "end instance\n")
-    return part(text, ("instance", name, element, extra), name, {"transform": numbers(rows)})
+    values = numbers(rows)
+    placed = "" if rows == IDENTITY else f"  transform {values}\n"
+    text = f"instance {quoted(name)} {quoted(element)}\n{placed}{extra}end instance\n"
+    return part(text, ("instance", name, element, extra), name, {"transform": values})
 
 
 class Names:
@@ -158,13 +160,15 @@ class Names:
 
     def __init__(self):
         self._used = set()
+        self._last = {}  # name -> the last number that was added to it
 
     def unique(self, wish):
-        name, i = wish or "unnamed", 1
+        name, i = wish or "unnamed", self._last.get(wish, 1)
         while name in self._used:
             i += 1
             name = f"{wish}#{i}"
         self._used.add(name)
+        self._last[wish] = i
         return name
 
 

@@ -2,7 +2,7 @@
 """Values of node sockets: constants, or shaders of the base library that compute them."""
 import numpy
 
-from . import arithmetic, mi, world as links
+from . import arithmetic, mi, textures, world as links
 
 CONSTANT = object()
 
@@ -357,19 +357,6 @@ class Graph:
         return self.add("checker", "mib_texture_checkerboard", coord=wrapped, xsize=0.5, ysize=0.5,
                         zsize=0.5, **boxes)
 
-    def noise(self, node, output):
-        self.unsupported(node, "is approximated by another noise")
-        scale = self.scalar(self.value(node.inputs["Scale"]))
-        scale = 5.0 if isinstance(scale, mi.Connection) else scale
-        detail = self.scalar(self.value(node.inputs["Detail"]))
-        detail = 2.0 if isinstance(detail, mi.Connection) else detail
-        matrix = numpy.diag([scale, scale, scale, 1.0])
-        point = self.coordinate(node.inputs["Vector"], "generated")
-        scaled = self.add("noise_scale", "mib_texture_remap", input=point,
-                          transform=tuple(matrix.ravel()))
-        return self.add("noise", "mib_texture_turbulence", coord=scaled, spacing=1.0, strength=1.0,
-                        power=1.0, iteration=int(min(max(detail + 1, 1), 8)))
-
     def vertex_colour(self, node, output):
         name = getattr(node, "layer_name", "") or getattr(node, "attribute_name", "")
         if output.identifier == "Alpha":
@@ -418,8 +405,8 @@ def mapping_matrix(node):
 
 
 TRANSLATORS = {
-    **arithmetic.TRANSLATORS,
-    "TEX_IMAGE": Graph.image, "TEX_CHECKER": Graph.checker, "TEX_NOISE": Graph.noise,
+    **arithmetic.TRANSLATORS, **textures.TRANSLATORS,
+    "TEX_IMAGE": Graph.image, "TEX_CHECKER": Graph.checker,
     "VERTEX_COLOR": Graph.vertex_colour, "ATTRIBUTE": Graph.vertex_colour,
     "OBJECT_INFO": Graph.object_info, "LIGHT_PATH": Graph.light_path,
     "TEX_COORD": Graph.coordinate_of, "UVMAP": Graph.coordinate_of,

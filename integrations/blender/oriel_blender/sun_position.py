@@ -11,7 +11,7 @@ import math
 import subprocess
 
 import bpy
-from bpy.props import BoolProperty, FloatProperty, IntProperty, PointerProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
 
 from . import program
 from .engine import ENGINE
@@ -73,6 +73,10 @@ def changed(settings, _context):
 
 
 class OrielWorldSettings(bpy.types.PropertyGroup):
+    sky_model: EnumProperty(
+        name="Sky Textures", default="CYCLES",
+        items=[("CYCLES", "As in Cycles", "A picture of the sky that Cycles renders, and its sun"),
+               ("PHYSICAL", "Physical Sky of Oriel", "mia_physicalsky and mia_physicalsun")])
     use_place: BoolProperty(name="Sun by Place and Time", default=False, update=changed,
                             description="Turn the sky textures of this world to a place and time")
     latitude: FloatProperty(name="Latitude", default=52.5, min=-90, max=90, update=changed,
@@ -112,6 +116,22 @@ class ORIEL_OT_add_sky(bpy.types.Operator):
         return {"FINISHED"}
 
 
+class ORIEL_PT_sky(bpy.types.Panel):
+    bl_label = "Sky"
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "world"
+    COMPAT_ENGINES = {ENGINE}
+
+    @classmethod
+    def poll(cls, context):
+        return context.engine in cls.COMPAT_ENGINES and context.scene.world
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        self.layout.prop(context.scene.world.oriel, "sky_model")
+
+
 class ORIEL_PT_sun(bpy.types.Panel):
     bl_label = "Sun by Place and Time"
     bl_space_type = "PROPERTIES"
@@ -141,7 +161,7 @@ class ORIEL_PT_sun(bpy.types.Panel):
             layout.label(text=settings.shown)
 
 
-CLASSES = (OrielWorldSettings, ORIEL_OT_add_sky, ORIEL_PT_sun)
+CLASSES = (OrielWorldSettings, ORIEL_OT_add_sky, ORIEL_PT_sky, ORIEL_PT_sun)
 
 
 def register():

@@ -4,6 +4,7 @@ import numpy
 
 TEXTURES_BY_GENERATED = {"TEX_NOISE", "TEX_VORONOI", "TEX_MUSGRAVE", "TEX_WAVE", "TEX_MAGIC",
                          "TEX_BRICK", "TEX_CHECKER", "TEX_GRADIENT", "TEX_WHITE_NOISE"}
+RANDOM_STEPS = 256  # of random numbers of objects, so that thousands of instances share materials
 INFORMATION = {"Location", "Color", "Object Index", "Random", "Alpha"}
 
 
@@ -92,7 +93,8 @@ def values_of(wanted, ob, placed):
         if isinstance(name, tuple):
             result[name] = attribute(ob, name[1])
         elif name == "Random":
-            result[name] = random_of(ob.name, placed.random_id if placed.is_instance else None)
+            number = random_of(ob.name, placed.random_id if placed.is_instance else None)
+            result[name] = (min(int(number * RANDOM_STEPS), RANDOM_STEPS - 1) + .5) / RANDOM_STEPS
         elif name == "Color":
             result[name] = tuple(ob.color)[:3]
         elif name == "Alpha":

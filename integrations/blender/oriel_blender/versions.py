@@ -153,6 +153,11 @@ def spots_have_cosine():
     return bpy.app.version < (3, 5, 0)
 
 
+def world_is_visible(world, kind):
+    """Whether rays of a kind see the world; a setting of Cycles."""
+    return bool(getattr(getattr(world, "cycles_visibility", None), kind, True))
+
+
 def light_casts_shadow(light):
     cycles = getattr(light, "cycles", None)
     if cycles is not None and hasattr(cycles, "cast_shadow"):  # until 4.1

@@ -11,7 +11,7 @@ import weakref
 
 import numpy
 
-from . import camera, export, meshes, mi, program, viewport_worker
+from . import camera, export, meshes, mi, program, viewport_worker, world_bake
 
 SESSIONS = weakref.WeakSet()
 
@@ -103,6 +103,7 @@ class Session:
 
         self.worker = viewport_worker.Worker(self.folder, redraw)
         self._engine = reference
+        self._base = base
         self._known = {}
         self._scene = None      # what the last export wrote
         self._submitted = None  # scene and view of the last job
@@ -124,11 +125,21 @@ class Session:
             self._known = {key: value for key, value in self._known.items()
                            if not any(part in names for part in key if isinstance(part, str))}
 
+    def _world_is_ready(self):
+        """Exports the scene again when the picture of the world is finished."""
+        try:
+            engine = self._engine()
+            if engine is not None:
+                engine.tag_update()
+        except ReferenceError:
+            pass
+
     def scene_changed(self, depsgraph):
         """Exports the scene; unchanged meshes are not read again."""
         self.forget(depsgraph.updates)
         exporter = export.Exporter(depsgraph, self.folder, self.meshes, lambda text: None)
         exporter.known = self._known
+        exporter.baker = world_bake.Baker(self._base, self._world_is_ready)
         environment = exporter.body()
         self.meshes.remove_unused()
         names = exporter.out.names.unique("view"), exporter.out.names.unique("view.instance")

@@ -4,7 +4,7 @@ import math
 
 import numpy
 
-from . import arithmetic, mi, versions
+from . import arithmetic, lights, mi, versions
 
 
 def output_node(tree, kind):
@@ -36,13 +36,21 @@ def direction_of_sky(rotation, elevation):
             math.sin(elevation))
 
 
+# Kinds of rays that see the world, and those of mip_rayswitch.
+VISIBILITY = {"camera": ("eye", "transparent"), "diffuse": ("finalgather",),
+              "glossy": ("reflection",), "transmission": ("refraction",)}
+
+
 class WorldWriter:
     """Writes the environment shader of a world and, for a sky, the sun."""
 
-    def __init__(self, out, images, report):
+    def __init__(self, out, images, report, baker=None):
+        """baker: renders worlds that the program has no shaders for (world_bake.Baker)."""
         self.out = out
         self.images = images
         self.report = report
+        self.baker = baker
+        self.shows_disc = False  # the camera sees the disc of the sun
 
     def constant(self, rgb):
         """A constant environment. Environments return pi times their radiance only in lux."""
@@ -52,28 +60,75 @@ class WorldWriter:
         """Returns the name of the environment shader, or None for black."""
         if world is None:
             return None
+        name = self.shader_of(world)
+        hidden = [kind for kind in VISIBILITY if not versions.world_is_visible(world, kind)]
+        if not hidden or name is None:
+            return name
+        # The switch evaluates shaders that can be materials as surfaces, and oriel_math as a value.
+        seen = self.out.shader("world.seen", "oriel_math", operation=0, input1=name,
+                               input2=(0.0, 0.0, 0.0))
+        return self.out.shader_of("world.visibility", "mip_rayswitch", {
+            kind: (0.0, 0.0, 0.0, 1.0) if ray in hidden else seen
+            for ray, kinds in VISIBILITY.items() for kind in kinds})
+
+    def shader_of(self, world):
         if not world.use_nodes or world.node_tree is None:
             return self.constant(world.color)
         output = output_node(world.node_tree, "OUTPUT_WORLD")
         node = source_of(output.inputs["Surface"]) if output else None
         if node is None:
             return None
-        if node.type != "BACKGROUND":
-            self.report(f'world "{world.name}": node "{node.name}" is unsupported; the world is black')
-            return None
+        if node.type != "BACKGROUND" or node.inputs["Strength"].is_linked:
+            return self.baked(world, None)
         strength = node.inputs["Strength"].default_value
-        if node.inputs["Strength"].is_linked:
-            self.report(f'world "{world.name}": the link of the strength is ignored')
         source = source_of(node.inputs["Color"])
-        if source is None:
+        if source is None and not node.inputs["Color"].is_linked:
             rgb = node.inputs["Color"].default_value
             return self.constant([c * strength for c in rgb[:3]])
-        if source.type == "TEX_ENVIRONMENT":
+        if source is not None and source.type == "TEX_ENVIRONMENT" and self.is_turned(source) and \
+                source.projection == "EQUIRECTANGULAR":
             return self.picture(world, source, strength)
-        if source.type == "TEX_SKY":
+        if source is not None and source.type == "TEX_SKY":
             return self.sky(world, source, strength)
-        self.report(f'world "{world.name}": node "{source.name}" is unsupported; grey is used')
-        return self.constant([0.5 * strength] * 3)
+        return self.baked(world, None)
+
+    @staticmethod
+    def is_turned(node):
+        """Whether the coordinates of a texture are directions that are only rotated."""
+        mapping = source_of(node.inputs["Vector"])
+        if mapping is None or mapping.type == "TEX_COORD":
+            return True
+        inner = source_of(mapping.inputs["Vector"]) if mapping.type == "MAPPING" else None
+        return inner is not None and inner.type == "TEX_COORD" and not any(
+            mapping.inputs[n].is_linked for n in ("Rotation", "Scale") if n in mapping.inputs) and \
+            tuple(mapping.inputs["Scale"].default_value) == (1, 1, 1)
+
+    def baked(self, world, sun, approximation=None):
+        """A picture of the world by Cycles. sun: direction and angle of its disc.
+
+        approximation: writes what is shown while the picture is not finished, or if it fails.
+        """
+        instead = approximation or (lambda: self.constant([0.0] * 3))
+        try:
+            found = self.baker.bake(world, sun) if self.baker else None
+        except (RuntimeError, OSError, ValueError) as error:
+            self.report(f'world "{world.name}": {error}; '
+                        + ("another sky is used" if approximation else "it is black"))
+            return instead()
+        if found is None:
+            return instead()
+        if sun and found.sun and max(found.sun) > 0:
+            self.disc(sun, found.sun)
+        texture = self.out.names.unique("world.image")
+        self.out.add(f"vector texture {mi.quoted(texture)} {mi.quoted(found.picture)}\n")
+        return self.look(texture, numpy.eye(3))
+
+    def disc(self, sun, irradiance):
+        """The disc of the sun as a distant light that the camera sees."""
+        self.shows_disc = True
+        name = self.out.names.unique("sun.light")
+        self.out.light(name, *lights.sun_disc(irradiance, sun["angle"] / 2, True))
+        self.out.instance(self.out.names.unique("Sun"), name, facing(sun["direction"]))
 
     def rotation(self, world, node):
         """Rotation of the Mapping node in front of a texture, as a 3x3 matrix."""
@@ -92,28 +147,30 @@ class WorldWriter:
         texture = self.images.texture(node.image, world.name, node.name)
         if texture is None:
             return self.constant((1.0 * strength, 0.0, 1.0 * strength))
-        if node.projection != "EQUIRECTANGULAR":
-            self.report(f'world "{world.name}": node "{node.name}": mirror balls are unsupported')
-        # Look-ups turn about y; the centre of the picture is -z for them and +x in Blender.
-        turn = numpy.array([[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]])
-        matrix = numpy.eye(4)
-        matrix[:3, :3] = (turn @ self.rotation(world, node)).T
-        ray = self.out.shader("world.ray", "mib_texture_vector", select=-10, selspace=2)
-        turned = self.out.shader("world.turned", "mib_texture_remap", input=ray,
-                                 transform=tuple(matrix.ravel()))
-        look = self.out.shader("world.picture", "mib_lookup_spherical", dir=turned,
-                               tex=mi.Words(mi.quoted(texture)))
+        look = self.look(texture, self.rotation(world, node))
         if self.images.is_encoded(node.image):
             look = self.out.shader("world.decoded", "oriel_math", input1=look,
                                    operation=arithmetic.OPERATIONS["SRGB_OF_GAMMA"])
         return self.scaled(look, strength)
+
+    def look(self, texture, rotation):
+        """A picture of all directions, turned by a 3x3 matrix."""
+        # Look-ups turn about y; the centre of the picture is -z for them and +x in Blender.
+        turn = numpy.array([[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]])
+        matrix = numpy.eye(4)
+        matrix[:3, :3] = (turn @ rotation).T
+        ray = self.out.shader("world.ray", "mib_texture_vector", select=-10, selspace=2)
+        turned = self.out.shader("world.turned", "mib_texture_remap", input=ray,
+                                 transform=tuple(matrix.ravel()))
+        return self.out.shader("world.picture", "mib_lookup_spherical", dir=turned,
+                               tex=mi.Words(mi.quoted(texture)))
 
     def scaled(self, look, strength):
         return self.out.shader("world", "mib_color_mix", num=1, mode_0=4, weight_0=1.0,
                                color_0=(strength, strength, strength, 1.0), color_base=look)
 
     def sky(self, world, node, strength):
-        """Sun and sky at the elevation and rotation of the node, in W/m2 by 683 lm/W."""
+        """A sky texture: its picture, or the physical sky of the program by a setting of the world."""
         if node.sky_type in {"PREETHAM", "HOSEK_WILKIE"}:
             direction = tuple(node.sun_direction)
             disc, size, intensity = False, math.radians(0.533), 1.0
@@ -123,7 +180,25 @@ class WorldWriter:
             disc, size, intensity = node.sun_disc, node.sun_size, node.sun_intensity
             haze = min(max(versions.sky_dust(node) - 1.0, 0.0) * 1.5, 15.0)
         direction = tuple(self.rotation(world, node).T @ numpy.array(direction))
-        return sun_and_sky(self.out, direction, haze, strength / 683.0, disc, size, intensity)
+
+        def physical():
+            return sun_and_sky(self.out, direction, haze, strength / 683.0, disc, size, intensity)
+        settings = getattr(world.original, "oriel", None)
+        if settings is not None and settings.sky_model == "PHYSICAL":
+            return physical()
+        sun = {"direction": [float(c) for c in direction], "angle": size} if disc else None
+        return self.baked(world, sun, physical)
+
+
+def facing(direction):
+    """The matrix of a light that shines from a direction."""
+    z = numpy.array(direction, numpy.float64)
+    z /= numpy.linalg.norm(z)
+    x = numpy.cross((0.0, 0.0, 1.0), z)
+    x = numpy.array((1.0, 0.0, 0.0)) if numpy.linalg.norm(x) < 1e-6 else x / numpy.linalg.norm(x)
+    matrix = numpy.eye(4)
+    matrix[:3, :3] = numpy.array([x, numpy.cross(z, x), z]).T
+    return matrix
 
 
 def sun_and_sky(out, direction, haze, per_lux, disc=True, size=math.radians(0.533), intensity=1.0):
@@ -133,12 +208,7 @@ def sun_and_sky(out, direction, haze, per_lux, disc=True, size=math.radians(0.53
     """
     conversion = (per_lux / math.pi,) * 3
     common = {"rgb_unit_conversion": conversion, "haze": haze}
-    z = numpy.array(direction, numpy.float64)
-    z /= numpy.linalg.norm(z)
-    x = numpy.cross((0.0, 0.0, 1.0), z)
-    x = numpy.array((1.0, 0.0, 0.0)) if numpy.linalg.norm(x) < 1e-6 else x / numpy.linalg.norm(x)
-    matrix = numpy.eye(4)
-    matrix[:3, :3] = numpy.array([x, numpy.cross(z, x), z]).T
+    matrix = facing(direction)
     if disc and intensity > 0:
         sun = out.names.unique("sun.light")
         instance = out.names.unique("Sun and sky")
@@ -149,5 +219,5 @@ def sun_and_sky(out, direction, haze, per_lux, disc=True, size=math.radians(0.53
         out.instance(instance, sun, matrix)
         link = {"sun": mi.Words(mi.quoted(instance))}
     else:
-        link = {"sun_direction": tuple(z), "sun_disk_intensity": 0.0, "sun_glow_intensity": 0.0}
+        link = {"sun_direction": tuple(matrix[:3, 2]), "sun_disk_intensity": 0.0, "sun_glow_intensity": 0.0}
     return out.shader_of("world", "mia_physicalsky", {**common, **link, "sun_disk_scale": 1.0})
