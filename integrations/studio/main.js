@@ -108,15 +108,18 @@ function installHints(app) {
     reported = true;
     toasts.show(`${errors.length === 1 ? "The scene has an error" : `The scene has ${errors.length} errors`}; see Messages. ${errors[0].message}`, "error");
   });
-  session.on("progress", async (progress) => {
-    const {outline, frames} = session;
-    if (progress.status !== "converged" || black || frames.epoch !== progress.epoch || !outline || outline.lights.length > 0) return;
+  const checkLight = async () => {
+    const {outline, frames, progress} = session;
+    if (progress?.status !== "converged" || black || frames.epoch !== progress.epoch || !outline || outline.lights.length > 0) return;
     const {sampleColors} = await import("./panels/display.js");
     const colors = sampleColors(app);
     if (colors.length === 0 || colors.some((c) => c[0] > 0 || c[1] > 0 || c[2] > 0)) return;
     black = true;
     toasts.show("The picture is black: the scene has no lights. Light comes from lights, from an environment, and from materials that emit.", "error");
-  });
+  };
+  // The last picture and the news that it is finished arrive in either order.
+  session.on("progress", checkLight);
+  session.on("frame", checkLight);
 }
 
 /** Starts the tone curve with the exposure of the scene, once. @param {import("./panels/app.js").App} app */

@@ -219,11 +219,11 @@ const char* kind_of(const scene::Element& element) {
 
 /// Materials of the scene's main file come first: included files may be large libraries.
 void outline_materials(const scene::Scene& scene, json& outline) {
-  constexpr std::uint32_t kMainFile = 1;
+  const std::uint32_t main_file = scene.renders.empty() ? 0 : scene.renders.back().where.file;
   for (const bool main : {true, false})
     for (const scene::Element& element : scene.elements()) {
       const auto* material = std::get_if<scene::Material>(&element);
-      if (!material || (material->where.file == kMainFile) != main) continue;
+      if (!material || (material->where.file == main_file) != main) continue;
       push_limited(outline, "materials",
                    {{"name", material->name}, {"shader", first_type(scene, material->shaders)}});
     }
