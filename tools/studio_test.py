@@ -55,7 +55,7 @@ class Studio(unittest.TestCase):
     def node_tests(self, folder):
         files = sorted(str(path.relative_to(FOLDER)) for path in (FOLDER / folder).glob("*.test.js"))
         self.assertTrue(files)
-        self.run_in_folder("node", "--test", "--test-concurrency=1", "--test-reporter=tap", *files)
+        self.run_in_folder("node", "--test", "--test-concurrency=2", "--test-reporter=tap", *files)
 
     def test_types(self):
         self.run_in_folder("node", "node_modules/typescript/bin/tsc", "-p", "tsconfig.json")

@@ -147,7 +147,8 @@ ORIEL_API OrielResult oriel_session_open(const char* path, const OrielSettings* 
 ORIEL_API void oriel_session_close(OrielSession* session);
 
 ORIEL_API OrielResult oriel_session_start(OrielSession* session);
-/* Stops between passes; oriel_session_start continues. */
+/* Stops between passes, after the caches of indirect light if they are being computed;
+ * oriel_session_start continues. */
 ORIEL_API OrielResult oriel_session_stop(OrielSession* session);
 
 /* Adds an edit ELEMENT.PARAMETER=VALUE, as `oriel render --set`; it replaces an earlier one of the

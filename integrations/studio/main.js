@@ -79,6 +79,7 @@ function start() {
                        h("aside", {class: "inspector", attributes: {"aria-label": "Panels"}}, tabs.host, tabs.rail), toasts.status, shortcuts.dialog);
   input.choose("navigate");
   installTone(app);
+  installHints(app);
   session.on("failed", (error) => toasts.show(error instanceof Error ? error.message : String(error), "error"));
   installTestHook(app);
   session.start();
@@ -95,6 +96,30 @@ async function click(app, tool, x, y) {
   const picked = await app.session.attempt("pick", {x, y});
   if (picked?.material) app.select(picked.material);
   else if (picked) toasts.show(picked.hit ? "This surface has no named material." : "There is no surface below this pixel.");
+}
+
+/** Says what a beginner would look for: errors of the scene, and why the picture is black. @param {import("./panels/app.js").App} app */
+function installHints(app) {
+  const {session, toasts} = app;
+  let reported = false, black = false;
+  session.on("messages", (list) => {
+    const errors = list.filter((/** @type {{severity: string}} */ m) => m.severity === "error");
+    if (errors.length === 0 || reported) return;
+    reported = true;
+    toasts.show(`${errors.length === 1 ? "The scene has an error" : `The scene has ${errors.length} errors`}; see Messages. ${errors[0].message}`, "error");
+  });
+  const checkLight = async () => {
+    const {outline, frames, progress} = session;
+    if (progress?.status !== "converged" || black || frames.epoch !== progress.epoch || !outline || outline.lights.length > 0) return;
+    const {sampleColors} = await import("./panels/display.js");
+    const colors = sampleColors(app);
+    if (colors.length === 0 || colors.some((c) => c[0] > 0 || c[1] > 0 || c[2] > 0)) return;
+    black = true;
+    toasts.show("The picture is black: the scene has no lights. Light comes from lights, from an environment, and from materials that emit.", "error");
+  };
+  // The last picture and the news that it is finished arrive in either order.
+  session.on("progress", checkLight);
+  session.on("frame", checkLight);
 }
 
 /** Starts the tone curve with the exposure of the scene, once. @param {import("./panels/app.js").App} app */

@@ -271,6 +271,10 @@ bool RenderLoop::run_preview(const std::atomic<bool>& cancel) {
   return done;
 }
 
+void RenderLoop::end_caches() {
+  if (computes_caches_.exchange(false) && caches_end_) caches_end_();
+}
+
 bool RenderLoop::run_final(const std::atomic<bool>& cancel) {
   if (!session_) {
     SessionSettings settings = session_settings(1);
@@ -289,9 +293,12 @@ bool RenderLoop::run_final(const std::atomic<bool>& cancel) {
   callbacks.wants_pause = [this] { return session_->progress().pass > 0 && is_copy_due(); };
   callbacks.paused = [this] { copy_picture(*session_, 1, false); };
   callbacks.spread = [this](const std::vector<int>& tiles, const auto& render_tile, const auto&) {
+    end_caches();
     render_tiles(tiles, render_tile);
   };
+  computes_caches_ = !session_->can_save();
   const StopReason reason = session_->run(callbacks, &cancel);
+  end_caches();
   count_messages();
   set_progress(session_->progress(), 1);
   if (reason == StopReason::Cancelled) {

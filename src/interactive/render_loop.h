@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interactive/picture.h"
@@ -68,6 +69,13 @@ class RenderLoop {
   /// Returns: whether there is nothing left to do before the next change.
   bool run(const std::atomic<bool>& cancel);
 
+  /// Whether run() computes the caches of indirect light of the full-size session. Meanwhile other
+  /// threads may read scene(), but neither session() nor diagnostics(). From any thread.
+  bool computes_caches() const { return computes_caches_; }
+  /// Sets what run() calls when the caches are complete or cancelled, after computes_caches() has
+  /// become false and before anything else changes.
+  void on_caches_end(Notify end) { caches_end_ = std::move(end); }
+
   PreparedScene& scene() { return scene_; }
   /// The full-size session; null before it starts.
   const RenderSession* session() const { return session_ ? &*session_ : nullptr; }
@@ -100,6 +108,7 @@ class RenderLoop {
   int start_divider() const;
   bool run_preview(const std::atomic<bool>& cancel);
   bool run_final(const std::atomic<bool>& cancel);
+  void end_caches();
   /// Callback of passes, see Progressive.
   void render_tiles(const std::vector<int>& tiles, const std::function<void(int)>& render_tile);
   void copy_picture(const RenderSession& session, int divider, bool preview, bool final = false);
@@ -111,7 +120,8 @@ class RenderLoop {
   PreparedScene scene_;
   LoopSettings settings_;
   Show show_;
-  Notify changed_;
+  Notify changed_, caches_end_;
+  std::atomic<bool> computes_caches_ = false;
   ViewSettings view_;
   EditEffects pending_;
   std::optional<RenderSession> session_;

@@ -150,13 +150,8 @@ void add_tables(const World& world, bool detailed, std::vector<OpeningRectangle>
   std::erase_if(rectangles, [](const OpeningRectangle& r) { return !r.table->lights(); });
 }
 
-}  // namespace
-
-Openings find_openings(const World& world, const EnvironmentLight& environment) {
-  if (!environment.lights() || world.accel->instance_count() == 0 ||
-      std::any_of(world.lights.begin(), world.lights.end(),
-                  [](const Light& light) { return light.portal != nullptr; }))
-    return {};
+/// The rectangles of the geometry that the camera sees; see find_openings().
+std::vector<OpeningRectangle> search(const World& world) {
   const std::vector<RoomRay> rays = rays_of(world, starts_of(world));
   std::vector<std::uint32_t> escaping;
   geom::Box3 box;
@@ -172,9 +167,22 @@ Openings find_openings(const World& world, const EnvironmentLight& environment) 
   std::vector<OpeningPlane> candidates;
   candidates.reserve(planes.size());
   for (const RoomPlane& plane : planes) candidates.emplace_back(plane, planes, box);
-  std::vector<OpeningRectangle> found = accepted(candidates, rays, std::move(escaping));
-  if (!environment.table().constant()) add_tables(world, environment.table().detailed(), found);
-  return Openings(std::move(found));
+  return accepted(candidates, rays, std::move(escaping));
+}
+
+}  // namespace
+
+Openings find_openings(const World& world, const EnvironmentLight& environment,
+                       OpeningSearch found) {
+  if (!environment.lights() || world.accel->instance_count() == 0 ||
+      std::any_of(world.lights.begin(), world.lights.end(),
+                  [](const Light& light) { return light.portal != nullptr; }))
+    return {{}, std::move(found)};
+  if (!found) found = std::make_shared<const std::vector<OpeningRectangle>>(search(world));
+  std::vector<OpeningRectangle> rectangles = *found;
+  if (!environment.table().constant())
+    add_tables(world, environment.table().detailed(), rectangles);
+  return {std::move(rectangles), std::move(found)};
 }
 
 }  // namespace oriel

@@ -18,9 +18,12 @@ class EnvironmentLight;
 ///          environment are connected to components; the rectangle around a component is an
 ///          opening. The component with the largest product of rays and rays per area is accepted
 ///          first. Objects that let light pass are ignored, and so is motion.
-/// Inputs:  world: with its geometry, its environment and its lights; environment: of the world.
+/// Inputs:  world: with its geometry, its environment and its lights; environment: of the world;
+///          found: Openings::found() of a world with the same geometry and camera, which is used
+///          instead of a search; may be null.
 /// Returns: the same for any number of threads.
 /// Checked: FindOpenings.*
-Openings find_openings(const World& world, const EnvironmentLight& environment);
+Openings find_openings(const World& world, const EnvironmentLight& environment,
+                       OpeningSearch found = nullptr);
 
 }  // namespace oriel

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "lights/light_tree.h"
@@ -21,6 +22,10 @@ struct OpeningRectangle {
   sampling::RectangleAxes axes = {};  ///< of the edges; set by Openings
 };
 
+/// The rectangles of a scene's geometry, whatever its environment: without tables. Null = not
+/// searched.
+using OpeningSearch = std::shared_ptr<const std::vector<OpeningRectangle>>;
+
 /// Densities of directions through rectangles. They only propose directions: the environment is
 /// seen through everything else as well, by samples of its own and by rays of lobes.
 ///
@@ -32,11 +37,17 @@ class Openings {
  public:
   Openings() = default;
   explicit Openings(std::vector<OpeningRectangle> rectangles);
+  Openings(std::vector<OpeningRectangle> rectangles, OpeningSearch found)
+      : Openings(std::move(rectangles)) {
+    found_ = std::move(found);
+  }
 
   /// Maximum number of rectangles.
   static constexpr std::size_t kMax = 16;
   bool empty() const { return rectangles_.empty(); }
   const std::vector<OpeningRectangle>& rectangles() const { return rectangles_; }
+  /// What find_openings() found.
+  const OpeningSearch& found() const { return found_; }
 
   /// Whether some rectangle may light the point.
   bool light(const LitPoint& lit) const;
@@ -55,6 +66,7 @@ class Openings {
   float pdf(const Shares& shares, const LitPoint& lit, const Vec3& wi) const;
 
   std::vector<OpeningRectangle> rectangles_;
+  OpeningSearch found_;
 };
 
 }  // namespace oriel

@@ -19,14 +19,16 @@ EnvironmentLight bind_environment(const scene::Camera& camera, Binder& binder, W
 }
 
 void sample_lights(const std::vector<scene::Leaf>& leaves, const PrepareOptions& options,
-                   EnvironmentLight environment, std::optional<Openings> openings, World& world,
+                   EnvironmentLight environment, KnownOpenings known, World& world,
                    Diagnostics& diagnostics) {
   world.has_tinted_portals = false;
   open_portals(world, environment.table().detailed());
   const std::vector<EmissionKind> emissive = emissive_materials(world);
-  if (!openings) openings = world.coarse_tables ? Openings() : find_openings(world, environment);
+  if (!known.all)
+    known.all = world.coarse_tables ? Openings()
+                                    : find_openings(world, environment, std::move(known.found));
   world.light_sampler = std::make_shared<const LightSampler>(
-      world, std::move(environment), mesh_lights_of(world, emissive), *std::move(openings));
+      world, std::move(environment), mesh_lights_of(world, emissive), *std::move(known.all));
   std::vector<scene::LightGroup> groups = options.light_groups;
   for (const scene::LightGroup& g : world.options.light_groups)
     if (std::none_of(groups.begin(), groups.end(), [&](auto& o) { return o.name == g.name; }))

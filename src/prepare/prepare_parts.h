@@ -42,10 +42,15 @@ EnvironmentLight bind_environment(const scene::Camera& camera, Binder& binder, W
 void bind_camera_shaders(const scene::Options* options, const scene::Camera& camera, Binder& binder,
                          World& world, Diagnostics& diagnostics);
 
+/// The openings of a former world.
+struct KnownOpenings {
+  std::optional<Openings> all;  ///< set if geometry, camera, environment and portals are the same
+  OpeningSearch found;          ///< set if geometry and camera are the same, see find_openings()
+};
+
 /// Opens the portals, creates the light sampler and the light layers, from everything else.
-/// Inputs:  openings: unset: they are searched.
 void sample_lights(const std::vector<scene::Leaf>& leaves, const PrepareOptions& options,
-                   EnvironmentLight environment, std::optional<Openings> openings, World& world,
+                   EnvironmentLight environment, KnownOpenings known, World& world,
                    Diagnostics& diagnostics);
 
 /// Creates meshes, instances and their materials; materials of the world are used again.

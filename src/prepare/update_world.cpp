@@ -116,9 +116,10 @@ bool WorldUpdate::run() {
     return reported_.all().empty();
   }
   if (reported_before(kPartSampler)) return false;
-  std::optional<Openings> openings;
-  if (!environment_ && !instances_ && !portals_) openings = sampler_before_->openings();
-  sample_lights(leaves_, options_, std::move(environment), std::move(openings), world_, reported_);
+  KnownOpenings known;
+  if (!environment_ && !instances_ && !portals_) known.all = sampler_before_->openings();
+  if (!instances_) known.found = sampler_before_->openings().found();
+  sample_lights(leaves_, options_, std::move(environment), std::move(known), world_, reported_);
   return reported_.all().empty();
 }
 

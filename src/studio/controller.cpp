@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/controller.h"
+#include "studio/request_error.h"
+#include "studio/scene_content.h"
 
 #include <algorithm>
 #include <chrono>
@@ -17,24 +19,54 @@ namespace oriel::studio {
 
 using interactive::EditError;
 using interactive::LoopStatus;
+using interactive::TaskKind;
 
-const std::map<std::string, Controller::Handler>& Controller::handlers() {
+namespace {
+
+nlohmann::json error_message(const nlohmann::json& id, const std::string& code,
+                             const std::string& message) {
+  return {{"type", "error"}, {"id", id}, {"code", code}, {"message", message}};
+}
+
+}  // namespace
+
+const std::map<std::string, Controller::RequestType>& Controller::request_types() {
   using C = Controller;
-  static const std::map<std::string, Handler> table = {
-      {"view", &C::view},         {"edit", &C::edit},         {"set_edits", &C::set_edits},
-      {"undo", &C::undo},         {"redo", &C::redo},         {"store_camera", &C::store_camera},
-      {"daylight", &C::daylight}, {"sun_path", &C::sun_path}, {"focus", &C::focus},
-      {"save", &C::save},         {"reload", &C::reload},     {"relink", &C::relink},
-      {"restart", &C::restart},   {"outline", &C::outline},   {"element", &C::element},
-      {"shader", &C::shader},     {"pick", &C::pick},         {"probe", &C::probe},
-      {"lux_grid", &C::lux_grid}, {"explain", &C::explain},   {"command", &C::command},
-      {"deliver", &C::deliver},   {"job", &C::job},           {"thumbnail", &C::thumbnail},
+  using enum interactive::TaskKind;
+  static const std::map<std::string, RequestType> table = {
+      {"view", {&C::view, Changes}},
+      {"edit", {&C::edit, Changes}},
+      {"set_edits", {&C::set_edits, Changes}},
+      {"undo", {&C::undo, Changes}},
+      {"redo", {&C::redo, Changes}},
+      {"store_camera", {&C::store_camera, Changes}},
+      {"daylight", {&C::daylight, Changes}},
+      {"focus", {&C::focus, Changes}},
+      {"save", {&C::save, Changes}},
+      {"reload", {&C::reload, Changes}},
+      {"relink", {&C::relink, Changes}},
+      {"restart", {&C::restart, Changes}},
+      {"sun_path", {&C::sun_path, Reads}},
+      {"outline", {&C::outline, Reads}},
+      {"element", {&C::element, Reads}},
+      {"shader", {&C::shader, Reads}},
+      {"pick", {&C::pick, Reads}},
+      {"command", {&C::command, Reads}},
+      {"job", {&C::job, Reads}},
+      {"thumbnail", {&C::thumbnail, Reads}},
+      // These read the film, or trace paths with other options of the world.
+      {"probe", {&C::probe, Waits}},
+      {"lux_grid", {&C::lux_grid, Waits}},
+      {"explain", {&C::explain, Waits}},
+      {"deliver", {&C::deliver, Waits}},
   };
   return table;
 }
 
 Controller::Controller(StudioSettings settings, StudioServices services)
-    : settings_(std::move(settings)), services_(std::move(services)) {
+    : settings_(std::move(settings)),
+      services_(std::move(services)),
+      content_(std::make_unique<SceneContent>()) {
   if (!settings_.journal.empty()) journal_.emplace(settings_.journal);
   interactive::SessionCallbacks callbacks;
   callbacks.picture = [this] {
@@ -104,7 +136,7 @@ void Controller::send(const json& message) {
 }
 
 void Controller::send_error(const json& id, const std::string& code, const std::string& message) {
-  send({{"type", "error"}, {"id", id}, {"code", code}, {"message", message}});
+  send(error_message(id, code, message));
 }
 
 /// Pauses for the user, and while the page is hidden or closed.
@@ -117,6 +149,7 @@ void Controller::update_pause() {
 
 void Controller::client_connected() {
   namespace fs = std::filesystem;
+  ++client_;
   send({{"type", "welcome"},
         {"version", 1},
         {"program", ORIEL_VERSION},
@@ -148,12 +181,14 @@ void Controller::text(const std::string& message) {
   const std::string type = request["type"];
   if (type == "pointer") return set_pointer(request);
   // Long requests end when any request follows.
-  if (type == "cancel") return session_->post([](Loop&) {});
-  const auto found = handlers().find(type);
-  if (found == handlers().end())
+  if (type == "cancel") return session_->post([](Loop&) {}, TaskKind::Waits);
+  const auto found = request_types().find(type);
+  if (found == request_types().end())
     return send_error(id, "unknown-type", "unknown type \"" + type + "\"");
-  const Handler handler = found->second;
-  session_->post([this, handler, request](Loop& loop) { run_request(loop, handler, request); });
+  const Handler handler = found->second.handler;
+  session_->post([this, handler, request, client = client_.load()](
+                     Loop& loop) { run_request(loop, handler, request, client); },
+                 found->second.kind);
 }
 
 /// No task of the session: it would interrupt the picture.
@@ -167,8 +202,16 @@ void Controller::set_pointer(const json& request) {
   session_->set_pointer(pixel);
 }
 
-void Controller::run_request(Loop& loop, Handler handler, const json& request) {
+void Controller::run_request(Loop& loop, Handler handler, const json& request,
+                             std::uint64_t client) {
   const json id = request.contains("id") ? request["id"] : json();
+  // Another client counts its requests anew, so it must not get answers to those of this one.
+  const auto answer = [&](const json& message) {
+    if (client == client_) send(message);
+  };
+  const auto fail = [&](const std::string& code, const char* message) {
+    answer(error_message(id, code, message));
+  };
   try {
     const bool needs_scene = handler != &Controller::restart && handler != &Controller::undo &&
                              handler != &Controller::reload && handler != &Controller::set_edits;
@@ -178,15 +221,15 @@ void Controller::run_request(Loop& loop, Handler handler, const json& request) {
     json reply = (this->*handler)(loop, request);
     reply["type"] = "reply";
     reply["id"] = id;
-    send(reply);
+    answer(reply);
   } catch (const EditError& error) {
-    send_error(id, "bad-edit", error.what());
+    fail("bad-edit", error.what());
   } catch (const RequestError& error) {
-    send_error(id, error.code, error.what());
+    fail(error.code, error.what());
   } catch (const nlohmann::json::exception& error) {
-    send_error(id, "bad-request", error.what());
+    fail("bad-request", error.what());
   } catch (const std::exception& error) {
-    send_error(id, "failed", error.what());
+    fail("failed", error.what());
   }
 }
 
@@ -229,16 +272,18 @@ void Controller::announce_messages() {
   const std::size_t count = session_ ? session_->status().messages : 0;
   if (count <= announced_messages_) return;
   announced_messages_ = count;
-  session_->post([this](Loop& loop) { send_messages(loop); });
+  session_->post([this](Loop& loop) { send_messages(loop); }, TaskKind::Waits);
 }
 
 void Controller::announce_state() {
   if (!session_ || state_announced_.exchange(true)) return;
-  session_->post([this](Loop& loop) {
-    state_announced_ = false;
-    send_state(loop);
-    send_messages(loop);
-  });
+  session_->post(
+      [this](Loop& loop) {
+        state_announced_ = false;
+        send_state(loop);
+      },
+      TaskKind::Reads);
+  session_->post([this](Loop& loop) { send_messages(loop); }, TaskKind::Waits);
 }
 
 std::string Controller::scene_folder() const {

@@ -2,6 +2,7 @@
 // Answers the messages of a client of Oriel Studio.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -14,7 +15,6 @@
 #include "interactive/edit_history.h"
 #include "interactive/journal.h"
 #include "interactive/render_loop.h"
-#include "studio/request_error.h"
 #include "studio/server.h"
 
 namespace oriel {
@@ -24,11 +24,13 @@ struct IndirectPlan;
 
 namespace oriel::interactive {
 class InteractiveSession;
-}
+enum class TaskKind : std::uint8_t;
+}  // namespace oriel::interactive
 
 namespace oriel::studio {
 
 class RenderJob;
+class SceneContent;
 
 /// What the program provides.
 struct StudioServices {
@@ -76,12 +78,17 @@ class Controller final : public ServerHandler {
   using json = nlohmann::json;
   using Loop = interactive::RenderLoop;
   using Handler = json (Controller::*)(Loop&, const json&);
-  static const std::map<std::string, Handler>& handlers();
+  struct RequestType {
+    Handler handler;
+    interactive::TaskKind kind;
+  };
+  static const std::map<std::string, RequestType>& request_types();
 
   void send(const json& message);
   void send_error(const json& id, const std::string& code, const std::string& message);
   void set_pointer(const json& request);
-  void run_request(Loop& loop, Handler handler, const json& request);
+  /// Inputs:  client: the number of the client that sent the request.
+  void run_request(Loop& loop, Handler handler, const json& request, std::uint64_t client);
   void send_progress();
   void announce_state();
   void announce_messages();
@@ -137,6 +144,7 @@ class Controller final : public ServerHandler {
   interactive::EditHistory history_;                 // of the session's thread
   std::optional<interactive::EditJournal> journal_;  // likewise
   std::vector<std::string> saved_;                   // edits of the last save, likewise
+  std::unique_ptr<SceneContent> content_;            // likewise
   /// Fields of the last request `daylight` and its edits, likewise.
   std::string daylight_;
   std::vector<std::string> daylight_edits_;
@@ -145,6 +153,7 @@ class Controller final : public ServerHandler {
   std::atomic<std::int64_t> last_progress_ = 0;
   std::atomic<int> last_state_ = -1;
   std::atomic<bool> crashed_ = false;
+  std::atomic<std::uint64_t> client_ = 0;  ///< number of the present client
   // What stops the renderer: the user, a hidden page, a page that was closed.
   std::atomic<bool> paused_ = false, hidden_ = false, left_ = false;
   std::mutex results_mutex_;

@@ -18,6 +18,7 @@
 #include "studio/jobs.h"
 #include "studio/json_values.h"
 #include "studio/request_checks.h"
+#include "studio/request_error.h"
 
 namespace oriel::studio {
 namespace {

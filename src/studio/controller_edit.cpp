@@ -15,6 +15,8 @@
 #include "studio/controller.h"
 #include "studio/json_values.h"
 #include "studio/request_checks.h"
+#include "studio/request_error.h"
+#include "studio/scene_content.h"
 
 namespace oriel::studio {
 namespace {
@@ -196,6 +198,7 @@ json Controller::relink(Loop& loop, const json& request) {
 json Controller::reload(Loop& loop, const json&) {
   if (!loop.read()) throw RequestError("failed", "the scene could not be read");
   loop.set_edits(history_.now());
+  content_->forget();
   return edited(loop);
 }
 
@@ -219,6 +222,7 @@ json Controller::save(Loop& loop, const json& request) {
         interactive::inverse_edits(loop.scene().scene(), written, loop.scene().registry());
     if (!loop.read()) throw RequestError("failed", "the saved scene could not be read");
     history_ = {};
+    content_->save(written, before.value_or(std::vector<std::string>()));
     if (before && !before->empty()) {
       history_.replace(*before);
       history_.push({});

@@ -15,6 +15,7 @@
 #include "studio/describe.h"
 #include "studio/jobs.h"
 #include "studio/json_values.h"
+#include "studio/request_error.h"
 
 namespace oriel::studio {
 namespace {

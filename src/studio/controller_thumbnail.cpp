@@ -11,6 +11,7 @@
 #include "scene/asset_path.h"
 #include "studio/controller.h"
 #include "studio/json_values.h"
+#include "studio/request_error.h"
 
 namespace oriel::studio {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "analysis/explain.h"
 #include "base/math.h"
 #include "geom/accel.h"
 #include "interactive/interactive_session.h"
@@ -12,6 +13,8 @@
 #include "studio/controller.h"
 #include "studio/jobs.h"
 #include "studio/json_values.h"
+#include "studio/request_error.h"
+#include "studio/scene_content.h"
 
 namespace oriel::studio {
 namespace {
@@ -118,11 +121,27 @@ json exposure_of(const World& world) {
   for (const ShaderNode* node : world.lens) {
     if (!node->spec().lens.settings) continue;
     exposure["shader"] = node->spec().name;
-    node->spec().lens.settings(
-        *node, [&](const char* name, float value) { exposure["parameters"][name] = value; });
+    // Integer files get the gamma of the options in addition to that of the shader.
+    node->spec().lens.settings(*node, [&](const char* name, float value) {
+      const bool is_gamma = std::string_view(name) == "gamma";
+      exposure["parameters"][name] = is_gamma ? value * world.options.gamma : value;
+    });
     break;
   }
   return exposure;
+}
+
+/// Distance of the point about which the camera turns: the surface in the middle of the picture, or
+/// the middle of the scene.
+float distance_looked_at(const World& world) {
+  const Camera& camera = world.camera;
+  const Spot spot = find_spot(
+      world, Vec2(static_cast<float>(camera.width), static_cast<float>(camera.height)) * .5f);
+  if (spot.surface) return spot.distance;
+  const geom::Box3 box = world.accel->bounds();
+  if (box.isEmpty()) return 1;
+  constexpr float kNearest = 1e-6f;  // of scenes in any unit
+  return std::max(length(box.center() - transform_point(Vec3(0), camera.to_world)), kNearest);
 }
 
 }  // namespace
@@ -149,6 +168,7 @@ void Controller::send_state(Loop& loop) {
   const ViewSettings& view = loop.view();
   json state = {{"type", "state"},
                 {"edits", history_.now()},
+                {"content", content_->name(history_.now())},
                 {"undo", history_.undo_count()},
                 {"redo", history_.redo_count()},
                 {"saved", history_.now() == saved_},
@@ -165,14 +185,14 @@ void Controller::send_state(Loop& loop) {
     const Camera& camera = world.camera;
     const geom::Box3 box = world.accel->bounds();
     const bool bounded = !box.isEmpty();
-    const Vec3 from = transform_point(Vec3(0), camera.to_world);
-    const float distance = bounded ? std::max(length(box.center() - from), 1e-3f) : 1;
+    const float distance = view.look ? 0 : distance_looked_at(world);
     const Look look = view.look ? *view.look : interactive::look_of(camera, distance);
     state["size"] = loop.full_size();
     state["look"] = {
         {"from", json_of(look.from)}, {"to", json_of(look.to)}, {"up", json_of(look.up)}};
     state["fov"] = 2 * math::atan(camera.aperture / (2 * camera.focal)) * 180 / 3.14159265358979;
     state["orthographic"] = camera.orthographic;
+    state["gamma"] = world.options.gamma;
     state["available_layers"] = interactive::available_layers(world);
     state["light_layers"] = json::array();
     for (const std::string& name : interactive::available_layers(world))

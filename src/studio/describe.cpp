@@ -15,7 +15,7 @@ namespace {
 
 using json = nlohmann::json;
 
-constexpr std::size_t kMaxListed = 2000;
+constexpr std::size_t kMaxListed = 20'000;
 constexpr int kMaxConnections = 6;
 
 const char* support_name(Support support) {
@@ -217,16 +217,26 @@ const char* kind_of(const scene::Element& element) {
 
 }  // namespace
 
+/// Materials of the scene's main file come first: included files may be large libraries.
+void outline_materials(const scene::Scene& scene, json& outline) {
+  const std::uint32_t main_file = scene.renders.empty() ? 0 : scene.renders.back().where.file;
+  for (const bool main : {true, false})
+    for (const scene::Element& element : scene.elements()) {
+      const auto* material = std::get_if<scene::Material>(&element);
+      if (!material || (material->where.file == main_file) != main) continue;
+      push_limited(outline, "materials",
+                   {{"name", material->name}, {"shader", first_type(scene, material->shaders)}});
+    }
+}
+
 json outline_json(const scene::Scene& scene) {
   json outline;
   for (const char* list :
        {"materials", "lights", "cameras", "instances", "textures", "shaders", "options"})
     outline[list] = json::array();
   bool daylight = false;
+  outline_materials(scene, outline);
   for (const scene::Element& element : scene.elements()) {
-    if (const auto* material = std::get_if<scene::Material>(&element))
-      push_limited(outline, "materials",
-                   {{"name", material->name}, {"shader", first_type(scene, material->shaders)}});
     if (const auto* instance = std::get_if<scene::Instance>(&element))
       outline_instance(scene, *instance, outline);
     if (const auto* texture = std::get_if<scene::Texture>(&element)) {

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "studio/message_queue.h"
 #include "studio/page_files.h"
 #include "studio/request_checks.h"
 #include "studio/token.h"
@@ -64,6 +65,7 @@ struct StudioServer::State : std::enable_shared_from_this<StudioServer::State> {
   std::weak_ptr<WebClient> client;
   std::size_t connections = 0;
   std::atomic<bool> pump_posted = false;
+  MessageQueue outgoing;  ///< to the client
   bool ending = false;
 };
 
@@ -172,6 +174,7 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
     }
     authenticated_ = true;
     timer_.cancel();
+    state_->outgoing.take();  // they are for the client before
     state_->client = weak_from_this();
     state_->handler.client_connected();
     pump();
@@ -469,8 +472,11 @@ void StudioServer::stop() {
 }
 
 void StudioServer::send(std::string message) {
-  net::post(state_->io, [state = state_, message = std::move(message)]() mutable {
-    if (const auto client = state->client.lock()) client->send(std::move(message));
+  state_->outgoing.push(std::move(message));
+  net::post(state_->io, [state = state_] {
+    std::vector<std::string> messages = state->outgoing.take();
+    if (const auto client = state->client.lock())
+      for (std::string& message : messages) client->send(std::move(message));
   });
 }
 

@@ -118,6 +118,21 @@ TEST_F(StudioPageTest, PlaceAndTimeAreInTheStateWhileTheirEditsAre) {
   EXPECT_FALSE(socket->wait_for("state").contains("daylight"));
 }
 
+TEST_F(StudioPageTest, ExposureHasTheGammaOfIntegerFiles) {
+  write("scene.mi", small_scene("gamma 2", "lens \"mia_exposure_photographic\" (\"gamma\" 1.5)"));
+  serve();
+  const json state = client()->wait_for("state");
+  EXPECT_EQ(state["exposure"]["parameters"]["gamma"], 3) << state;
+  EXPECT_EQ(state["gamma"], 2);
+}
+
+TEST_F(StudioPageTest, TheCameraTurnsAboutTheSurfaceThatItLooksAt) {
+  serve();
+  const json look = client()->wait_for("state")["look"];
+  // The middle of the picture shows the wall at z = -8.
+  EXPECT_NEAR(look["to"][2].get<double>() - look["from"][2].get<double>(), -8, 1e-4) << look;
+}
+
 TEST_F(StudioPageTest, SavingCanBeUndone) {
   serve();
   auto socket = client();

@@ -265,6 +265,25 @@ TEST_F(StudioSessionTest, UnsavedEditsAreThereInTheNextSession) {
   EXPECT_EQ(client()->wait_for("state")["edits"], json::array());
 }
 
+TEST_F(StudioSessionTest, ClientsDoNotGetAnswersToOthers) {
+  serve();
+  auto first = client();
+  first->ask({{"type", "outline"}});
+  first->send({{"type", "lux_grid"},
+               {"id", 1},
+               {"origin", {-1, -1, 0.5}},
+               {"u", {2, 0, 0}},
+               {"v", {0, 2, 0}},
+               {"columns", 40},
+               {"rows", 40},
+               {"precision", 1e-4},
+               {"seconds", 60}});
+  auto second = client();  // numbers its requests from 1 as well
+  const json reply = second->ask({{"type", "outline"}});
+  EXPECT_EQ(reply["type"], "reply") << reply;
+  EXPECT_TRUE(reply.contains("materials")) << reply;
+}
+
 TEST_F(StudioSessionTest, FinalRendersPauseAndResume) {
   serve();
   auto socket = client();

@@ -21,6 +21,7 @@
  * @typedef {object} SceneState
  * @property {number} epoch
  * @property {string[]} edits
+ * @property {string} [content] a name for what the scene contains: its files with the edits
  * @property {number} undo
  * @property {number} redo
  * @property {boolean} saved
@@ -31,6 +32,7 @@
  * @property {string[]} cameras
  * @property {Look | null} look
  * @property {number} fov horizontal field of view in degrees
+ * @property {number} [gamma] of the options, for integer files
  * @property {string[]} layers
  * @property {string[]} available_layers
  * @property {string[]} light_layers

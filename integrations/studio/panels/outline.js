@@ -6,6 +6,31 @@ import {button, disclosure, h} from "../ui/dom.js";
 /** @typedef {import("./app.js").App} App */
 /** @typedef {{name: string, detail: string, warning?: boolean}} Row */
 
+const MOST_ROWS = 400;  // of a list: more slow the page down
+
+/**
+ * The keys of a list: Tab enters and leaves it, arrows move within it.
+ * @param {HTMLElement} list
+ */
+function installListKeys(list) {
+  const stops = () => /** @type {HTMLElement[]} */ ([...list.querySelectorAll("summary, .row")].filter((e) => /** @type {HTMLElement} */ (e).offsetParent !== null));
+  list.addEventListener("keydown", (event) => {
+    const all = stops(), at = all.indexOf(/** @type {HTMLElement} */ (document.activeElement));
+    const to = {ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: all.length - 1}[event.key];
+    if (to === undefined || at < 0) return;
+    event.preventDefault();
+    event.stopPropagation();
+    all[Math.max(0, Math.min(all.length - 1, to))]?.focus();
+  });
+  // Tab comes back to the row that had the focus.
+  list.addEventListener("focusin", (event) => {
+    const row = /** @type {HTMLElement} */ (event.target);
+    if (!row.classList.contains("row")) return;
+    for (const other of row.closest("ul")?.querySelectorAll(".row[tabindex='0']") ?? []) other.setAttribute("tabindex", "-1");
+    row.setAttribute("tabindex", "0");
+  });
+}
+
 /** @param {import("../net/types.js").Outline} o @returns {[string, Row[]][]} */
 export function outlineRows(o) {
   /** @type {(list: any[] | undefined, detail: string) => Row[]} */
@@ -45,15 +70,18 @@ export function createOutline(app) {
     list.replaceChildren(...outlineRows(outline).flatMap(([title, rows]) => {
       const found = rows.filter((r) => !word || `${r.name} ${r.detail}`.toLowerCase().includes(word));
       if (found.length === 0) return [];
-      const items = found.slice(0, 400).map((row) => h("li", {}, h("button", {
+      const current = Math.max(0, found.findIndex((row) => row.name === selected));
+      const items = found.slice(0, MOST_ROWS).map((row, i) => h("li", {}, h("button", {
         class: `row${row.warning ? " warning" : ""}`, title: `${row.name}\n${row.detail}`,
-        attributes: {type: "button", ...(row.name === selected ? {"aria-current": "true"} : {})}, on: {click: () => app.select(row.name)},
+        attributes: {type: "button", tabindex: i === (current < MOST_ROWS ? current : 0) ? "0" : "-1", ...(row.name === selected ? {"aria-current": "true"} : {})}, on: {click: () => app.select(row.name)},
       }, h("span", {class: "name", text: row.name}), h("span", {class: "detail", text: row.detail}))));
-      const details = disclosure(`${title} (${rows.length})`, open.has(title) || word !== "", h("ul", {class: "rows"}, ...items));
+      if (found.length > MOST_ROWS) items.push(h("li", {class: "muted", text: `${found.length - MOST_ROWS} more: search for a part of the name.`}));
+      const details = disclosure(`${title} (${found.length === rows.length ? rows.length : `${found.length} of ${rows.length}`})`, open.has(title) || word !== "", h("ul", {class: "rows"}, ...items));
       details.addEventListener("toggle", () => { if (!word) details.open ? open.add(title) : open.delete(title); });
       return [details];
-    }), ...(outline.cut ? [h("p", {class: "muted", text: "Long lists are cut after 2000 entries."})] : []));
+    }), ...(outline.cut ? [h("p", {class: "muted", text: "Long lists are cut after 20000 entries."})] : []));
   };
+  installListKeys(list);
   search.addEventListener("input", draw);
   app.session.on("outline", draw);
   app.events.on("select", (name) => {

@@ -4,7 +4,7 @@
 /** @typedef {import("../net/types.js").SceneState} SceneState */
 
 /** Describes what values of points of the scene depend on. @param {SceneState} state */
-export const sceneKey = (state) => JSON.stringify(state.edits);
+export const sceneKey = (state) => state.content ?? JSON.stringify(state.edits);
 
 /** The same for values of pixels. @param {SceneState} state */
-export const pixelKey = (state) => JSON.stringify([state.edits, state.look, state.camera, state.size]);
+export const pixelKey = (state) => JSON.stringify([sceneKey(state), state.look, state.camera, state.size]);

@@ -103,7 +103,10 @@ export class Viewport {
     const show = d.falseColors || shown === "depth" || lux ? "false"
         : shown === "normal" ? "direction" : shown === "picture" ? "data" : "light";
     const unit = shown === "depth" || lux || shown === "luminance" ? 1 : state.unit_luminance;
-    return {show, unit, tone: d.tone, scale: d.scale,
+    // The scene's own picture has the gamma of the options in addition to that of its lens shaders.
+    const encoded = show === "data" && (state.gamma ?? 1) !== 1;
+    const tone = encoded ? {...d.tone, operator: /** @type {"simple"} */ ("simple"), exposure: 0, pedestal: 0, gain: 1, knee: 1, compression: 0, gamma: state.gamma ?? 1} : d.tone;
+    return {show: encoded ? "light" : show, unit, tone, scale: d.scale,
             weights: weights ?? d.mix.weights(frames.names, state.light_layers, shown)};
   }
 

@@ -163,9 +163,9 @@ export class ViewportInput {
   #key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const a = 0.05, look = this.session.state.look;
-    const bounds = this.session.state.bounds;
-    const size = bounds ? length(sub(bounds.max, bounds.min)) : look ? length(sub(look.to, look.from)) : 1;
-    const step = size * 0.02;
+    // A share of the distance to what the camera looks at: scenes may have wide surroundings.
+    const bounds = this.session.state.bounds, size = bounds ? length(sub(bounds.max, bounds.min)) : Infinity;
+    const step = Math.min(size * 0.02, look ? length(sub(look.to, look.from)) * 0.06 : 1);
     /** @type {Record<string, (look: Look) => Look>} */
     const moves = event.shiftKey ? {
       ArrowLeft: (l) => pan(l, -a, 0), ArrowRight: (l) => pan(l, a, 0), ArrowUp: (l) => pan(l, 0, a), ArrowDown: (l) => pan(l, 0, -a),

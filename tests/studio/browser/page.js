@@ -17,6 +17,9 @@ export async function openBrowser() {
  */
 export async function openStudio(browser, server, o = {}) {
   const page = await browser.newPage();
+  // Looking once per frame of the screen would have the whole page drawn again and again, by software.
+  const wait = page.waitForFunction.bind(page);
+  page.waitForFunction = (condition, options, ...values) => wait(condition, {polling: 40, ...options}, ...values);
   const errors = [];
   page.on("pageerror", (error) => errors.push(String(error)));
   page.on("console", (message) => { if (message.type() === "error") errors.push(message.text()); });
