@@ -10,12 +10,11 @@ namespace oriel {
 
 /// Probabilities of the lights of one set of the light sampler; borrowed.
 struct LightChances {
-  /// Share of the samples that ignore them, so that lights which were not seen are found, and a
-  /// wrong choice multiplies the noise at most by its reciprocal.
-  static constexpr float kUnlearned = 0.3f;
-
   std::span<const float> probability;  ///< by the order of the set; sum 1. Empty: unknown
   std::span<const float> until;        ///< sums of those up to each
+  /// Share of the samples that ignore them, so that lights which were not seen are found, and a
+  /// wrong choice multiplies the noise at most by its reciprocal.
+  float unlearned = 1;
 
   explicit operator bool() const { return !probability.empty(); }
   /// Inputs:  u: uniform in [0,1); returns a new uniform number.

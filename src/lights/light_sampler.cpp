@@ -124,9 +124,8 @@ float LightSampler::Set::expected_samples(const LitPoint& lit, const LightChance
                                           int light) const {
   if (size() <= sample_all) return 1;
   if (chances) {
-    constexpr float kTree = LightChances::kUnlearned;
-    return kTree * tree.probability(lit, light) +
-           (1 - kTree) * chances.probability[place_of(light)];
+    return lerp(chances.probability[place_of(light)], tree.probability(lit, light),
+                chances.unlearned);
   }
   return tree.empty() ? 1 / static_cast<float>(size()) : tree.probability(lit, light);
 }

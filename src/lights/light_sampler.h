@@ -129,6 +129,10 @@ class LightSampler {
   template <class F>
   void for_each_on_way(const Vec3& from, const Vec3& direction, float t_most, F&& f) const;
   const LightTree& portals() const { return sets_[kPortals].tree; }
+  /// Probability with which the light tree chooses one of chosen_lights().
+  float probability_by_tree(const LitPoint& lit, int light) const {
+    return sets_[kFinite].tree.probability(lit, light);
+  }
   /// The lights with a position of which one is chosen for each vertex, in ascending order; empty
   /// where all are sampled.
   std::span<const int> chosen_lights() const {
@@ -217,16 +221,16 @@ class LightSampler {
 template <class F>
 void LightSampler::Set::sample(const LitPoint& lit, const LightChances& chances, float& u,
                                F&& f) const {
-  constexpr float kTree = LightChances::kUnlearned;
   if (size() <= sample_all) {
     for (const int light : lights) f(light, 1.0f);
   } else if (chances) {
+    const float by_tree = chances.unlearned;
     int light = -1;
-    if (u < kTree) {
-      u = std::min(u / kTree, 0x1.fffffep-1f);
+    if (u < by_tree) {
+      u = std::min(u / by_tree, 0x1.fffffep-1f);
       if (const auto choice = tree.choose(lit, u)) light = choice->light;
     } else {
-      u = std::min((u - kTree) / (1 - kTree), 0x1.fffffep-1f);
+      u = std::min((u - by_tree) / (1 - by_tree), 0x1.fffffep-1f);
       light = lights[chances.choose(u)];
     }
     if (light >= 0) f(light, expected_samples(lit, chances, light));

@@ -177,9 +177,10 @@ void CachedIntegrator::find_lit_surfaces(const IntegratorPreparation& p) {
   if (lit_.empty() || p.monitor.cancelled()) return;
   PathSettings sampled = path_settings();
   sampled.lit = &lit_;
-  const PilotComparison gain =
-      compare_pilots(world_, p.picture, sampled, path_settings(), p.seed, p.counts);
-  if (gain.efficiency() < kWorthwhile) lit_ = {};
+  const auto pilots = [&](const PathSettings& settings) {
+    return PilotPaths(world_, p.picture, settings, p.seed, p.counts);
+  };
+  if (pilots(sampled).compare(pilots(path_settings())).efficiency() < kWorthwhile) lit_ = {};
 }
 
 /// Only paths that trace diffuse bounces learn.

@@ -32,8 +32,8 @@ constexpr double kRaysForEachPath = 0.06;
 constexpr float kWorthwhileGain = 1.5f;
 /// The same gain for learned lights, whose look-ups cost little, and for two diffuse rays.
 constexpr float kWorthwhileLights = 1.1f, kWorthwhileRays = 1.05f;
-/// Pilot paths of a comparison as a share of all paths, and their pixels.
-constexpr double kPilotShare = 0.02;
+/// Pilot paths of each choice of settings as a share of all paths, and their pixels.
+constexpr double kPilotShare = 0.01;
 constexpr double kFewestPilotPixels = 512, kMostPilotPixels = 4096;
 /// Samples of each light at a point, rays of all points for each camera path, and most lights.
 constexpr double kMostSamples = 8, kLightRaysForEachPath = 0.18;
@@ -54,45 +54,52 @@ Bounces coarse_records(const World& world, const IntegratorPreparation& p,
                         p.seed, p.counts, p.monitor, most_records(p.paths));
 }
 
-/// Whether pilot paths gain by settings `a` over `b`.
-bool gains(const World& world, const IntegratorPreparation& p, const PathSettings& a,
-           const PathSettings& b, float worthwhile) {
-  const double wanted = kPilotShare * p.paths / kPilotPathsOfPixel;
-  const auto pixels =
-      static_cast<std::size_t>(std::clamp(wanted, kFewestPilotPixels, kMostPilotPixels));
-  return compare_pilots(world, p.picture, a, b, p.seed, p.counts, pixels).efficiency() >=
-         worthwhile;
-}
+/// The best settings that pilot paths have found so far.
+class BestSettings {
+ public:
+  BestSettings(const World& world, const IntegratorPreparation& p, const PathSettings& settings)
+      : world_(world), p_(p), settings_(settings), pilots_(trace(settings)) {}
+
+  const PathSettings& settings() const { return settings_; }
+  /// Takes the settings if pilot paths gain `worthwhile` by them.
+  bool takes(const PathSettings& settings, float worthwhile) {
+    PilotPaths pilots = trace(settings);
+    if (pilots.compare(pilots_).efficiency() < worthwhile) return false;
+    settings_ = settings;
+    pilots_ = std::move(pilots);
+    return true;
+  }
+
+ private:
+  PilotPaths trace(const PathSettings& settings) const {
+    const double wanted = kPilotShare * p_.paths / kPilotPathsOfPixel;
+    return {world_,
+            p_.picture,
+            settings,
+            p_.seed,
+            p_.counts,
+            static_cast<std::size_t>(std::clamp(wanted, kFewestPilotPixels, kMostPilotPixels))};
+  }
+
+  const World& world_;
+  const IntegratorPreparation& p_;
+  PathSettings settings_;
+  PilotPaths pilots_;
+};
 
 LearnedLights learn_lights(const World& world, const IntegratorPreparation& p,
-                           const PathSettings& settings, const Bounces& records) {
+                           const Bounces& records) {
   const std::size_t lights = world.light_sampler->chosen_lights().size();
   if (lights == 0 || lights > kMostLights) return {};
   const double rays =
       p.paths * kLightRaysForEachPath / (double(records.points.size()) * double(lights));
-  LearnedLights learned =
-      measure_lights(world, records.points, static_cast<int>(std::clamp(rays, 1.0, kMostSamples)),
-                     p.seed, p.counts);
-  if (learned.empty()) return learned;
-  PathSettings with = settings;
-  with.lights = &learned;
-  return gains(world, p, with, settings, kWorthwhileLights) ? std::move(learned) : LearnedLights();
+  return measure_lights(world, records.points,
+                        static_cast<int>(std::clamp(rays, 1.0, kMostSamples)), p.seed, p.counts);
 }
 
 DirectionGuide learn_directions(const World& world, const IntegratorPreparation& p,
-                                const PathSettings& settings, const Bounces& records) {
-  const auto guide_of = [&](int rays) {
-    return DirectionGuide(world.accel->bounds(),
-                          guide_points(world, records, rays, p.seed, p.counts, p.monitor));
-  };
-  DirectionGuide guide = guide_of(kFirstRays);
-  if (guide.empty()) return guide;
-  PathSettings with = settings;
-  with.guide = &guide;
-  if (!gains(world, p, with, settings, kWorthwhileGain)) return {};
-  const double rays = p.paths * kRaysForEachPath / double(records.points.size());
-  if (rays < 1.5 * kFirstRays) return guide;
-  return guide_of(static_cast<int>(std::min<double>(rays, kMostRays)));
+                                const Bounces& records, int rays) {
+  return {world.accel->bounds(), guide_points(world, records, rays, p.seed, p.counts, p.monitor)};
 }
 
 }  // namespace
@@ -114,15 +121,23 @@ LearnedLight learn_light(const World& world, const IntegratorPreparation& p,
   const Bounces records = coarse_records(world, p, of_records);
   if (records.points.empty() || p.monitor.cancelled()) return {};
   LearnedLight learned;
-  learned.lights = learn_lights(world, p, settings, records);
-  PathSettings so_far = settings;
-  if (!learned.lights.empty()) so_far.lights = &learned.lights;
-  learned.guide = learn_directions(world, p, so_far, records);
+  BestSettings best(world, p, settings);
+  learned.lights = learn_lights(world, p, records);
+  PathSettings with = best.settings();
+  with.lights = &learned.lights;
+  if (!learned.lights.empty() && !best.takes(with, kWorthwhileLights)) learned.lights = {};
+  learned.guide = learn_directions(world, p, records, kFirstRays);
+  with = best.settings();
+  with.guide = &learned.guide;
+  if (!learned.guide.empty() && !best.takes(with, kWorthwhileGain)) learned.guide = {};
+  with = best.settings();
+  with.diffuse_rays = kMoreRays;
+  if (best.takes(with, kWorthwhileRays)) learned.diffuse_rays = kMoreRays;
+  const double rays = p.paths * kRaysForEachPath / double(records.points.size());
+  if (!learned.guide.empty() && rays >= 1.5 * kFirstRays)
+    learned.guide =
+        learn_directions(world, p, records, static_cast<int>(std::min<double>(rays, kMostRays)));
   if (p.monitor.cancelled()) return {};
-  if (!learned.guide.empty()) so_far.guide = &learned.guide;
-  PathSettings more = so_far;
-  more.diffuse_rays = kMoreRays;
-  if (gains(world, p, more, so_far, kWorthwhileRays)) learned.diffuse_rays = kMoreRays;
   return learned;
 }
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <random>
+#include <span>
+#include <vector>
 
 #include "lights/light_sampler.h"
 #include "render/session.h"
@@ -97,12 +99,14 @@ TEST(ManyLamps, LampsBehindWallsTakeFewSamples) {
 }
 
 TEST(ManyLamps, ChancesOfACellFollowItsLight) {
-  // Two points, two lights: each sees one of them, four times as bright in the root of the square.
-  const SurfaceTree::Point points[] = {{Vec3(0), kUp}, {Vec3(0), -kUp}};
-  const float squares[] = {16, 0, 0, 16};
-  const LearnedLights learned({Vec3(-1), Vec3(1)}, points, squares);
+  // Two points on each side of a wall, two lights: each side sees one of them.
+  const SurfaceTree::Point points[] = {
+      {Vec3(0), kUp}, {Vec3(0), kUp}, {Vec3(0), -kUp}, {Vec3(0), -kUp}};
+  const float squares[] = {16, 0, 16, 0, 0, 16, 0, 16};
+  const std::vector<float> by_tree(8, .5f);
+  const LearnedLights learned({Vec3(-1), Vec3(1)}, points, squares, by_tree);
   // The node above counts as half a point: here all points, whose own node above is black.
-  const double all = 16 / 2.5, own = (16 + .5 * all) / 1.5, other = .5 * all / 1.5;
+  const double all = 32 / 4.5, own = (32 + .5 * all) / 2.5, other = .5 * all / 2.5;
   const double share = std::sqrt(own) / (std::sqrt(own) + std::sqrt(other));
   const LightChances up = learned.at(Vec3(.1f, .2f, 0), kUp), down = learned.at(Vec3(0), -kUp);
   EXPECT_NEAR(up.probability[0], share, 1e-6);
@@ -120,6 +124,23 @@ TEST(ManyLamps, ChancesOfACellFollowItsLight) {
   }
   EXPECT_NEAR(first / double(kDraws), up.probability[0], .002);
   EXPECT_NEAR(rest / kDraws, .5, .01);
+}
+
+TEST(ManyLamps, LightsThatReachNeighboursDifferentlyAreNotLearned) {
+  // Each of four points of a cell sees another light; the tree finds it nine times in ten. Where
+  // all see the same light, which the tree rarely finds, it is learned.
+  const std::vector<SurfaceTree::Point> points(4, {Vec3(0), kUp});
+  std::vector<float> own(16, 0), same(16, 0), by_tree(16, .1f / 3), blind(16, .9f / 3);
+  for (std::size_t i = 0; i < 4; ++i) {
+    own[5 * i] = same[4 * i] = 16;
+    by_tree[5 * i] = .9f;
+    blind[4 * i] = .1f;
+  }
+  const auto chances = [&](std::span<const float> squares, std::span<const float> tree) {
+    return LearnedLights({Vec3(-1), Vec3(1)}, points, squares, tree).at(Vec3(0), kUp).unlearned;
+  };
+  EXPECT_EQ(chances(own, by_tree), 1);
+  EXPECT_LT(chances(same, blind), .5f);
 }
 
 }  // namespace many_lamps_test

@@ -41,19 +41,22 @@ LearnedLights measure_lights(const World& world, std::span<const GatherPoint> po
                              std::uint32_t seed, RayCounts& counts) {
   const std::span<const int> lights = world.light_sampler->chosen_lights();
   if (lights.empty() || points.empty()) return {};
-  std::vector<float> squares(points.size() * lights.size());
+  std::vector<float> squares(points.size() * lights.size()), by_tree(squares.size());
   std::vector<SurfaceTree::Point> places(points.size());
   std::vector<RayCounts> traced(points.size());
   parallel_for(points.size(), [&](std::size_t i) {
     places[i] = {points[i].point.position, points[i].normal};
     sampling::Sampler sampler(kLightColumn, static_cast<int>(i), 0, seed);
     for (std::size_t k = 0; k < lights.size(); ++k)
-      if (gives_direct_light(world.lights[static_cast<std::size_t>(lights[k])]))
-        squares[i * lights.size() + k] =
-            mean_square(world, points[i], lights[k], samples, sampler, traced[i]);
+      if (gives_direct_light(world.lights[static_cast<std::size_t>(lights[k])])) {
+        const std::size_t at = i * lights.size() + k;
+        squares[at] = mean_square(world, points[i], lights[k], samples, sampler, traced[i]);
+        by_tree[at] = world.light_sampler->probability_by_tree(
+            {places[i].position, places[i].normal}, lights[k]);
+      }
   });
   for (const RayCounts& of_point : traced) counts += of_point;
-  return {world.accel->bounds(), places, squares};
+  return {world.accel->bounds(), places, squares, by_tree};
 }
 
 }  // namespace oriel

@@ -2,33 +2,50 @@
 // A few paths before the picture, to choose between settings of paths.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 #include "runtime/window.h"
 #include "transport/path/path.h"
 
 namespace oriel {
 
-/// Paths of each pixel in a comparison.
-inline constexpr int kPilotPathsOfPixel = 32;
+/// Paths of each pixel.
+inline constexpr int kPilotPathsOfPixel = 16;
 
-/// Settings `b` relative to settings `a`.
+/// Some settings relative to others.
 struct PilotComparison {
   float noise = 1, cost = 1;
-  /// How many times sooner `a` reaches the same noise.
+  /// How many times sooner the others reach the same noise.
   float efficiency() const { return noise * cost; }
 };
 
-/// Compares settings by a few paths.
+/// Paths of some pixels by one choice of settings.
 ///
-/// Model:   two means of eight stratified paths for each of some pixels, by both settings; noise is
-///          the squared difference of the means, relative to the pixel and averaged over channels
-///          and pixels, without the hundredth of the pixels where it is largest. Cost is counted in
-///          rays.
-/// Inputs:  window: the part of the picture that camera rays cover; pixels: rounded down to a
-///          multiple of 64.
-/// Returns: 1 without any light. The same for any number of threads.
+/// Model:   two means of eight stratified paths for each pixel. Noise is the squared difference of
+///          the means, relative to the pixel and averaged over channels and pixels, without the few
+///          pixels where it is largest. Cost is counted in rays. The same for any number of
+///          threads.
 /// Checked: PilotPaths.* in tests/analytic
-PilotComparison compare_pilots(const World& world, const Window& window, const PathSettings& a,
-                               const PathSettings& b, std::uint32_t seed, RayCounts& counts,
-                               std::size_t pixels = 512);
+class PilotPaths {
+ public:
+  /// Inputs:  window: the part of the picture that camera rays cover; pixels: rounded down to a
+  ///          multiple of 64.
+  PilotPaths(const World& world, const Window& window, const PathSettings& settings,
+             std::uint32_t seed, RayCounts& counts, std::size_t pixels = 512);
+
+  /// `others` relative to these. Inputs:  others: of the same window, seed and number of pixels.
+  /// Returns: 1 without any light.
+  PilotComparison compare(const PilotPaths& others) const;
+
+ private:
+  using Means = std::array<Rgb, 2>;
+  /// Noise of a pixel of these paths, whose light is about that of both.
+  static double noise_of(const Means& means, const Means& others, float mean_of_all);
+
+  std::vector<Means> pixels_;
+  double cost_ = 0;  ///< in rays
+};
 
 }  // namespace oriel

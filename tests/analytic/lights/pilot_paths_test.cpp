@@ -24,7 +24,10 @@ float ratio(const World& world, Estimator a, Estimator b, std::uint32_t seed = 0
   of_a.estimator = a;
   of_b.estimator = b;
   RayCounts counts;
-  return compare_pilots(world, {0, 0, 32, 32}, of_a, of_b, seed, counts).efficiency();
+  const auto pilots = [&](const PathSettings& settings) {
+    return PilotPaths(world, {0, 0, 32, 32}, settings, seed, counts);
+  };
+  return pilots(of_a).compare(pilots(of_b)).efficiency();
 }
 
 TEST(PilotPaths, PreferTheSettingsWithLessNoise) {
