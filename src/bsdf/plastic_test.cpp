@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bsdf/burley_diffuse.h"
+#include "bsdf/facet_albedo.h"
 #include "bsdf/facet_reflection.h"
 #include "sampling/testing/chi_square.h"
 #include "support/directions.h"
@@ -54,6 +55,17 @@ TEST(BurleyDiffuse, AlbedoIsNearTheIntegral) {
       EXPECT_NEAR(BurleyDiffuse::albedo(roughness, wo.z), expected, 0.03 * expected)
           << roughness << ' ' << degrees;
     }
+}
+
+TEST(FacetReflection, AlbedoIsTheIntegral) {
+  for (const float alpha : {0.1f, 0.3f, 0.65f, 1.0f})
+    for (const float eta : {1.02f, 1.2f, 1.5f, 2.1f, 5.0f})
+      for (const double degrees : {1.0, 40.0, 70.0, 82.0}) {
+        const Vec3 wo = polar_direction(degrees);
+        const double expected = integral(FacetReflection(alpha, alpha, eta), wo);
+        EXPECT_NEAR(facet_albedo(alpha, eta, wo.z), expected, 0.01)
+            << alpha << ' ' << eta << ' ' << degrees;
+      }
 }
 
 TEST(FacetReflection, SmoothFacetsReflectAsAPlane) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bsdf/burley_diffuse.h"
-#include "bsdf/facet_reflection.h"
+#include "bsdf/facet_albedo.h"
 #include "bsdf/fresnel.h"
 #include "bsdf/gloss.h"
 #include "runtime/bump.h"
@@ -67,24 +67,6 @@ bsdf::Roughness facet_roughness(const Plastic& p) {
   return bsdf::anisotropic_roughness(sqr(clamp01(p.roughness)), 1);
 }
 
-/// The reflected share of light at that cosine, from a few directions.
-float facet_albedo(const Plastic& p, float cosine) {
-  const bsdf::Roughness roughness = facet_roughness(p);
-  if (roughness.is_mirror()) return bsdf::fresnel_dielectric(cosine, p.ior);
-  constexpr int kDirections = 32;
-  // Fractional parts of multiples of the golden ratio.
-  constexpr float kGolden = 0.61803399f;
-  const bsdf::FacetReflection facets(roughness.ax, roughness.ay, p.ior);
-  const Vec3 wo(std::sqrt(std::max(0.0f, 1 - cosine * cosine)), 0, std::max(cosine, 1e-3f));
-  float sum = 0;
-  for (int i = 0; i < kDirections; ++i) {
-    const float turn = static_cast<float>(i) * kGolden;
-    const Vec2 u((static_cast<float>(i) + 0.5f) / kDirections, turn - std::floor(turn));
-    if (const auto s = facets.sample(wo, u, 0.5f)) sum += s->weight;
-  }
-  return clamp01(sum / kDirections);
-}
-
 void add_diffuse_part(const Plastic& p, const Vec3& normal, float cosine, float left,
                       Closure& closure) {
   Rgb color(std::max(p.diffuse.r, 0.0f), std::max(p.diffuse.g, 0.0f), std::max(p.diffuse.b, 0.0f));
@@ -128,7 +110,8 @@ void shade_plastic(const Call& call, Closure& closure) {
   constexpr float kMinShare = 0.01f;
   const float reflected = clamp01(
       bsdf::ReflectivityCurve{p.albedo_0, p.albedo_90, std::max(p.albedo_curve, 0.0f)}(cosine));
-  const float left = p.conserve && p.ior > 1 ? 1 - std::max(reflected, facet_albedo(p, cosine)) : 1;
+  const float facets = bsdf::facet_albedo(facet_roughness(p).ax, p.ior, cosine);
+  const float left = p.conserve && p.ior > 1 ? 1 - std::max(reflected, facets) : 1;
   shade_input(call, offsetof(Plastic, base_material), p.base_material, Rgb(left), closure);
   add_diffuse_part(p, normal, cosine, left, closure);
   add_facets(p, normal, std::max(reflected, kMinShare), call.point, closure);
