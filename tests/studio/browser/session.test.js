@@ -181,8 +181,10 @@ withStudio("probe, lux grid, explain and false colours show values of the server
 withStudio("snapshots: wipe, difference and FLIP; restore", async ({page, mock}) => {
   await page.keyboard.press("t");
   await page.waitForSelector(".snapshots li");
+  const frame = await page.evaluate(() => window.__studio.drawnFrame);
   await page.evaluate(() => void window.__studio.app.session.edit("floor.refl_gloss=0.3"));
   await until(() => mock.edits.length === 1, "edit");
+  await page.waitForFunction((before) => window.__studio.drawnFrame !== before, {timeout: 30000}, frame);
   await waitForSamples(page, 64);
   const change = await readCanvas(page);
   await page.click("#tab-compare");
