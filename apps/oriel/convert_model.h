@@ -39,8 +39,7 @@ bool is_model(const std::filesystem::path& path);
 ///          next to no light comes, as inside of what is closed, the camera is one of our own.
 /// Returns: whether all textures of the model were written, too.
 /// Errors:  UserError where something cannot be read or written, or where the scene exists and is
-/// not
-///          an unedited result of a conversion; OR-MD-007, OR-MD-013.
+///          not an unedited result of a conversion; OR-MD-007, OR-MD-013.
 /// Checked: ConvertTest.*
 bool convert_model(const ConvertArguments& a, const std::string& to);
 

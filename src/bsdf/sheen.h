@@ -16,8 +16,7 @@ inline constexpr float kMinSheenAlpha = 0.01f;
 /// White sheen.
 ///
 /// Model:   D G / (4 cos cos) with the "Charlie" distribution D = (2 + 1/alpha) sin^(1/alpha) / 2
-/// pi
-///          and the height-correlated fit of G without its softened terminator. Reciprocal.
+///          pi and the height-correlated fit of G without its softened terminator. Reciprocal.
 /// Inputs:  alpha: width, kMinSheenAlpha..1.
 /// Source:  Estevez, Kulla, "Production Friendly Microfacet Sheen BRDF", SIGGRAPH 2017 courses;
 ///          KHR_materials_sheen.

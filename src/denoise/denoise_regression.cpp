@@ -13,8 +13,7 @@ namespace {
 
 /// Radii of window and patches.
 /// Source: Bitterli et al. 2016. The narrow bandwidth has smaller patches, which keep highlights
-/// and
-///         caustics sharper: 1 to 2 % less error (FLIP) in three scenes.
+///         and caustics sharper: 1 to 2 % less error (FLIP) in three scenes.
 constexpr int kWindow = 9, kPatch = 3;
 constexpr std::array<int, kBandwidths> kPatchRadius = {2, kPatch};
 constexpr int kWindowSide = 2 * kWindow + 1;

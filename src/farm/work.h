@@ -13,10 +13,9 @@ inline constexpr int kStopped = 75;
 /// done, 1 if one failed, kStopped after a signal.
 ///
 /// Model:   each unit is a process `oriel render --part K/N`, which continues an existing part.
-/// Maps
-///          of the job that are missing are computed first. After SIGUSR1 (the time
-///          limit is near) the task of Slurm is requeued and continues from its checkpoints. After
-///          other signals the workload manager decides. A failed unit does not end the task.
+///          Maps of the job that are missing are computed first. After SIGUSR1 (the time limit is
+///          near) the task of Slurm is requeued and continues from its checkpoints. After other
+///          signals the workload manager decides. A failed unit does not end the task.
 int work_task(const Job& job, int task);
 
 /// Computes the maps of a frame, by its index, if the job has maps. Returns as work_task().

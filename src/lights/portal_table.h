@@ -16,11 +16,10 @@ struct World;
 /// of that orientation, seen from any point, is an axis-aligned rectangle.
 ///
 /// Model:   luminance times solid angle over x / (|x| + z), y / (|y| + z); z points outside, x and
-/// y
-///          along the edges. The coordinates replace the angles of the source: they need no
+///          y along the edges. The coordinates replace the angles of the source: they need no
 ///          trigonometry and are within a factor of 2 as even. A share of the mean is spread evenly
-///          over directions, so that details below the resolution of the table have a density
-///          above 0.
+///          over directions, so that details below the resolution of the table have a density above
+///          0.
 /// Source:  Bitterli, Novak, Jarosz, "Portal-Masked Environment Map Sampling", EGSR 2015.
 /// Checked: Portal.* in tests/analytic/portals/portal_test.cpp.
 class PortalTable {

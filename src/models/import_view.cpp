@@ -78,8 +78,8 @@ namespace {
 /// Light that leaves a flat surface along the light's direction.
 ///
 /// Model:   the number of the file is the intensity of a point light of the same flux
-/// (light_units),
-///          so the flux is 4 pi times it, and the intensity along the normal 1/pi of the flux.
+///          (light_units), so the flux is 4 pi times it, and the intensity along the normal 1/pi of
+///          the flux.
 void set_area(const aiLight& source, const Vec3& color, scene::Light& light) {
   constexpr float kOfPoint = 4;  // intensity along the normal, of that of the point light
   const Vec3 normal = normalize(vec_of(source.mDirection));

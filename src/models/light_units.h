@@ -22,10 +22,9 @@ struct LightUnits {
 
 /// Inputs:  generator: as the file names the program that wrote it; suffix: of the file.
 /// Model:   Blender: a point light of P watts has P / (4 pi) W/sr, also as a spot; suns are in
-/// W/m2,
-///          emission in W/(m2 sr). glTF: from version 3.4 of the exporter lights are converted to
-///          candela and lux, emission is not; before, watts are written as candela. FBX, Collada:
-///          watts.
+///          W/m2, emission in W/(m2 sr). glTF: from version 3.4 of the exporter lights are
+///          converted to candela and lux, emission is not; before, watts are written as candela.
+///          FBX, Collada: watts.
 /// Source:  Blender 3.4: io_scene_gltf2 (convert_lighting_mode), io_scene_fbx.
 /// Checked: LightUnits.*
 LightUnits light_units(const std::string& generator, const std::string& suffix);

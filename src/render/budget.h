@@ -38,9 +38,8 @@ struct BudgetRequest {
 /// The budget of a render.
 ///
 /// Model:   without a request `samples min max` gives at most 4^max x kPathSamplesPerSceneSample
-/// and
-///          at least 4^min samples; the lowest channel of `contrast` is the noise target of every
-///          pixel. Any request replaces all of it; of several, the first that is met ends the
+///          and at least 4^min samples; the lowest channel of `contrast` is the noise target of
+///          every pixel. Any request replaces all of it; of several, the first that is met ends the
 ///          render.
 /// Checked: Budget.* in progressive_test.cpp
 RenderBudget render_budget(const scene::RenderOptions& options, const BudgetRequest& request);

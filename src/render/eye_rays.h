@@ -13,8 +13,7 @@ inline constexpr int kMaxLensRays = 65536;
 /// generate rays, the mean of as many paths as they request.
 ///
 /// Model:   the rays of a sample, and those of all samples of a pixel, are stratified on the lens.
-/// All
-///          paths of a pixel share the sample counts of materials.
+///          All paths of a pixel share the sample counts of materials.
 /// Inputs:  samples_of_pixel: the number of camera samples that the pixel gets in all; record:
 ///          empty, as after reset().
 /// Checked: LensBokeh.* in tests/analytic/camera/lens_bokeh_test.cpp

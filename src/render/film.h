@@ -27,9 +27,8 @@ inline constexpr std::uint32_t kMinSplitSamples = 8;  ///< two halves of four sa
 /// filter.
 ///
 /// Model:   a square grid rotated by atan(1/3) and clipped to the pixel: ten whole cells, the
-/// others
-///          are corners. No two cells start at the same x or y, so vertical and horizontal edges
-///          cross them one by one.
+///          others are corners. No two cells start at the same x or y, so vertical and horizontal
+///          edges cross them one by one.
 /// Checked: Film.MappedEdgesHaveManyLevels
 inline std::uint8_t sub_pixel_of(const Vec2& place) {
   const int across = std::clamp(static_cast<int>(std::floor(3 * place.x + place.y)), 0, 3);

@@ -45,11 +45,9 @@ Shutter shutter_of(const MotionOptions& options);
 /// Local-to-world matrices at equal steps of ray time from 0 to 1; empty for a static leaf.
 ///
 /// Model:   each instance of the chain moves separately in its parent: the origin on a straight
-/// line,
-///          the rotation about a fixed axis at constant speed, the stretch linearly. Matrices
-///          between
-///          the steps are interpolated linearly, as in the ray tracer. Thus one step moves every
-///          point on a straight line; more steps approximate the rotation.
+///          line, the rotation about a fixed axis at constant speed, the stretch linearly. Matrices
+///          between the steps are interpolated linearly, as in the ray tracer. Thus one step moves
+///          every point on a straight line; more steps approximate the rotation.
 /// Source:  K. Shoemake, T. Duff, "Matrix Animation and Polar Decomposition", 1992.
 /// Checked: MotionPath.*
 std::vector<Mat4> motion_path(const Leaf& leaf, const Shutter& shutter);

@@ -17,8 +17,7 @@ struct Transmittance {
 /// Computes the transmittance between a point and a light.
 ///
 /// Model:   opaque blockers first, then transparent ones in order: each multiplies by the weights
-/// of
-///          its transmitting lobes, and in shadow mode segments by the absorption through its
+///          of its transmitting lobes, and in shadow mode segments by the absorption through its
 ///          thickness. Refraction does not bend shadow rays. A shadow shader in the material's slot
 ///          replaces the lobes. Shadow shaders are called from the point to the light in all modes,
 ///          with white light at the point; modes on and sort only omit the media. After an opaque
@@ -61,9 +60,8 @@ Transmittance straight_transmission(const Closure& closure, const scene::RenderO
 /// the closure that determines the medium behind.
 ///
 /// Model:   rays behind a diffuse bounce and photons must agree with shadow rays. They evaluate
-/// each
-///          blocker separately, with white light and no light source: the result equals that of
-///          shadow rays to the environment if shadow shaders multiply the light.
+///          each blocker separately, with white light and no light source: the result equals that
+///          of shadow rays to the environment if shadow shaders multiply the light.
 /// Checked: ShadowShader.* in tests/analytic.
 Rgb straight_through(const Material& material, ShadingPoint& point,
                      const scene::RenderOptions& options, Closure& by);

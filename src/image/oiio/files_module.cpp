@@ -121,8 +121,7 @@ class PlainConfig {
 class MemoryFile {
  public:
   /// Inputs:  pixel_bytes: upper bound of the content without header. The limit of the size of
-  /// files
-  ///          applies in memory, too, and these writers would not report it.
+  ///          files applies in memory, too, and these writers would not report it.
   explicit MemoryFile(std::size_t pixel_bytes)
       : descriptor_(::memfd_create("oriel-picture", MFD_CLOEXEC)) {
     constexpr std::size_t kHeaderBytes = 1 << 20;

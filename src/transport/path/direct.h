@@ -74,12 +74,10 @@ struct DirectShares {
 /// Direct light at a vertex: lights and, if requested, the environment.
 ///
 /// Model:   each light sample has a MIS weight against sample_lobe (power heuristic), separately
-/// for
-///          the groups of lobes. Lights without extent have weight 1, and so have lights without
-///          shadows, since rays would be blocked, and highlights, which no ray hits.
+///          for the groups of lobes. Lights without extent have weight 1, and so have lights
+///          without shadows, since rays would be blocked, and highlights, which no ray hits.
 /// Inputs:  lights: the lights of the vertex; shares: if not null, receives the samples, and the
-/// sum
-///          is black.
+///          sum is black.
 /// Checked: tests/analytic (one scene by three estimators, furnaces of rough glass).
 DirectLight direct_light(const World& world, ShadingPoint& point, const Closure& closure,
                          const LobeChoice& lobes, const LitVertex& lights,
