@@ -90,21 +90,21 @@ TEST_F(Mpi, AKilledRankLeavesACheckpoint) {
 // mpirun passes SIGINT and SIGTERM to the ranks as SIGTERM.
 // acceptance: F4
 TEST_F(Mpi, InterruptsLeaveACheckpoint) {
-  const Words options = {"--samples", "300"};
+  const Words options = {"--samples", "2000"};
   const std::vector<char> whole = uninterrupted(options);
   // To mpirun, or to one rank that does not lead.
   for (const std::string target :
        {"INT $job", "TERM $job", "TERM $(ps -o pid= --ppid $job | tail -1)"}) {
     fs::remove(file("a.exr"));
     const RunResult ended =
-        render_with(3, "--samples 300 -o a.exr --json --checkpoint a.chk",
+        render_with(3, "--samples 2000 -o a.exr --json --checkpoint a.chk",
                     " & job=$!; for i in $(seq 1000); do grep -q '\"pass\":3' stdout.txt && break; "
                     "sleep .02; done; kill -" +
                         target + "; wait $job");
     EXPECT_NE(ended.exit_code, 0) << target;
     ASSERT_TRUE(there("a.chk")) << target << ended.err;
     EXPECT_NE(ended.out.find("\"stopped_by\":\"interrupted\""), std::string::npos) << ended.out;
-    const RunResult r = render_with(2, "--samples 300 -o a.exr --resume a.chk");
+    const RunResult r = render_with(2, "--samples 2000 -o a.exr --resume a.chk");
     EXPECT_EQ(r.exit_code, 0) << r.err;
     EXPECT_TRUE(bytes_of(file("a.exr")) == whole) << target;
   }
@@ -112,15 +112,15 @@ TEST_F(Mpi, InterruptsLeaveACheckpoint) {
 
 // As in a job of Slurm that nears its time limit.
 TEST_F(Mpi, Usr1EndsRanksWithTheStatusOfParts) {
-  const Words options = {"--samples", "300"};
+  const Words options = {"--samples", "1000"};
   const std::vector<char> whole = uninterrupted(options);
   const RunResult ended = render_with(
-      3, "--samples 300 -o a.exr --json --checkpoint a.chk --stop-at-usr1",
+      3, "--samples 1000 -o a.exr --json --checkpoint a.chk --stop-at-usr1",
       " & job=$!; for i in $(seq 1000); do grep -q '\"pass\":3' stdout.txt && break; sleep .02; "
       "done; kill -USR1 $job; wait $job");
   EXPECT_EQ(ended.exit_code, 75) << ended.err;
   ASSERT_TRUE(there("a.chk")) << ended.err;
-  const RunResult r = render({"--samples", "300", "-o", "a.exr", "--resume", "a.chk"});
+  const RunResult r = render({"--samples", "1000", "-o", "a.exr", "--resume", "a.chk"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_TRUE(bytes_of(file("a.exr")) == whole);
 }
