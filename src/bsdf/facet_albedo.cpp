@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "base/math.h"
@@ -75,8 +76,9 @@ float facet_albedo(float alpha, float eta, float cosine) {
   const float root = std::max((eta - 1) / (eta + 1), 0.0f);
   const Between of_eta(math::cbrt(root / kMostRoot), kFacetEtas);
   const auto row = [&](int k, int j) {
-    const int at = ((of_eta.first + k) * kFacetAlphas + of_alpha.first + j) * kFacetCosines;
-    const float* value = &table[static_cast<std::size_t>(at + of_cosine.first)];
+    const std::ptrdiff_t line =
+        std::ptrdiff_t{of_eta.first + k} * kFacetAlphas + of_alpha.first + j;
+    const float* value = table.data() + line * kFacetCosines + of_cosine.first;
     return lerp(value[0], value[1], of_cosine.share);
   };
   const auto plane = [&](int k) { return lerp(row(k, 0), row(k, 1), of_alpha.share); };
