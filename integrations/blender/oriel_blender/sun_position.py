@@ -116,8 +116,8 @@ class ORIEL_OT_add_sky(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class ORIEL_PT_sky(bpy.types.Panel):
-    bl_label = "Sky"
+class WorldPanel:
+    """A panel of the world."""
     bl_space_type = "PROPERTIES"
     bl_region_type = "WINDOW"
     bl_context = "world"
@@ -126,22 +126,18 @@ class ORIEL_PT_sky(bpy.types.Panel):
     @classmethod
     def poll(cls, context):
         return context.engine in cls.COMPAT_ENGINES and context.scene.world
+
+
+class ORIEL_PT_sky(WorldPanel, bpy.types.Panel):
+    bl_label = "Sky"
 
     def draw(self, context):
         self.layout.use_property_split = True
         self.layout.prop(context.scene.world.oriel, "sky_model")
 
 
-class ORIEL_PT_sun(bpy.types.Panel):
+class ORIEL_PT_sun(WorldPanel, bpy.types.Panel):
     bl_label = "Sun by Place and Time"
-    bl_space_type = "PROPERTIES"
-    bl_region_type = "WINDOW"
-    bl_context = "world"
-    COMPAT_ENGINES = {ENGINE}
-
-    @classmethod
-    def poll(cls, context):
-        return context.engine in cls.COMPAT_ENGINES and context.scene.world
 
     def draw_header(self, context):
         self.layout.prop(context.scene.world.oriel, "use_place", text="")
