@@ -19,12 +19,11 @@ struct LightsOfNode {
   std::array<float, kShares.size()> noise{};
 };
 
-/// Of a light with mean square s and probability p, both per light.
-double square_of_estimate(float s, double p) { return s > 0 ? s / p : 0; }
-
-class NoiseOfLights {
+/// Computes nodes from what was measured at the points.
+class LightStatistics {
  public:
-  NoiseOfLights(std::size_t lights, std::span<const float> squares, std::span<const float> by_tree)
+  LightStatistics(std::size_t lights, std::span<const float> squares,
+                  std::span<const float> by_tree)
       : count_(lights), squares_(squares), by_tree_(by_tree) {}
 
   LightsOfNode mean(std::span<const std::uint32_t> points, const LightsOfNode& above) const {
@@ -56,19 +55,18 @@ class NoiseOfLights {
     const auto chance = [&](std::size_t k) {
       return std::sqrt(std::max(0.0, static_cast<double>(sums[k]) - squares[k]));
     };
-    double all = 0, alone = 0;
-    for (std::size_t k = 0; k < count_; ++k) {
-      all += chance(k);
-      alone += square_of_estimate(squares[k], by_tree[k]);
-    }
-    if (!(alone > 0)) return;
+    double all = 0;
+    for (std::size_t k = 0; k < count_; ++k) all += chance(k);
+    double alone = 0;
     std::array<double, kShares.size()> sum{};
     for (std::size_t k = 0; k < count_; ++k) {
       if (!(squares[k] > 0)) continue;
+      alone += squares[k] / double{by_tree[k]};
       const double learned = all > 0 ? chance(k) / all : 0;
       for (std::size_t i = 0; i < kShares.size(); ++i)
-        sum[i] += square_of_estimate(squares[k], learned + kShares[i] * (by_tree[k] - learned));
+        sum[i] += squares[k] / (learned + kShares[i] * (by_tree[k] - learned));
     }
+    if (!(alone > 0)) return;
     for (std::size_t i = 0; i < kShares.size(); ++i) noise[i] += static_cast<float>(sum[i] / alone);
   }
 
@@ -83,9 +81,9 @@ LearnedLights::LearnedLights(const geom::Box3& bounds, std::span<const SurfaceTr
   if (points.empty() || squares.empty()) return;
   count_ = squares.size() / points.size();
   tree_ = SurfaceTree(bounds, points);
-  const NoiseOfLights learning(count_, squares, by_tree);
+  const LightStatistics statistics(count_, squares, by_tree);
   const auto mean = [&](std::span<const std::uint32_t> indices, const LightsOfNode& above) {
-    return learning.mean(indices, above);
+    return statistics.mean(indices, above);
   };
   for (const LightsOfNode& cell :
        tree_.values(LightsOfNode{std::vector<float>(count_), {}}, mean)) {

@@ -148,14 +148,19 @@ render "root" "view" "o"
 """
 
 
-def frames():
-    """The placements of all frames are key frames."""
+def imported(name, text):
+    """The Blender scene of a file with that text."""
     support.empty_scene(8, 8)
-    path = support.FOLDER / "moving.mi"
-    path.write_text(MOVING)
+    path = support.FOLDER / name
+    path.write_text(text)
     support.check(bpy.ops.import_scene.oriel_mi(filepath=str(path), up="Z") == {"FINISHED"},
                   "it is imported")
-    scene = bpy.context.scene
+    return bpy.context.scene
+
+
+def frames():
+    """The placements of all frames are key frames."""
+    scene = imported("moving.mi", MOVING)
     support.check((scene.frame_start, scene.frame_end) == (1, 3), "the frame range")
     plate, view = bpy.data.objects["plate"], scene.camera
     # Transforms of the scene map world to local space, for row vectors.
@@ -213,12 +218,7 @@ render "root" "other" "o"
 
 def values_over_frames():
     """Cameras, lights, materials, sky and exposure of all frames are key frames."""
-    support.empty_scene(8, 8)
-    path = support.FOLDER / "changing.mi"
-    path.write_text(CHANGING)
-    support.check(bpy.ops.import_scene.oriel_mi(filepath=str(path), up="Z") == {"FINISHED"},
-                  "it is imported")
-    scene = bpy.context.scene
+    scene = imported("changing.mi", CHANGING)
     lamp = next(o for o in bpy.data.objects if o.type == "LIGHT" and o.data.type == "AREA")
     sky = next(n for n in scene.world.node_tree.nodes if n.type == "TEX_SKY")
     red = bpy.data.materials["red"].node_tree
