@@ -169,15 +169,17 @@ def prepare():
     sky = tree.nodes.new("ShaderNodeTexSky")
     tree.nodes["Background"].inputs["Strength"].default_value = .05
     tree.links.new(sky.outputs[0], tree.nodes["Background"].inputs["Color"])
-    yield lambda: finished(before)
+    yield lambda: submitted() > before
     text = "".join(session()._scene[0])
     support.check("mia_physicalsky" in text, "the sky of the program is shown at first")
     yield lambda: "mib_lookup_spherical" in "".join(session()._scene[0])
     yield lambda: finished(before)
     seen["sky"] = screenshot("viewport_sky")
     support.check(session().worker.error == "" and seen["sky"].std() > .01, "then that of Cycles")
+    before = submitted()
     scene.world.use_nodes = False
-    # A crash of the program is a message.
+    yield lambda: finished(before)
+    # A crash of the program is a message, which stays until the next edit.
     os.kill(session().worker.process.pid, signal.SIGSEGV)
     yield lambda: session().worker.error
     support.check("SIGSEGV" in session().worker.error, f"crash: {session().worker.error}")
