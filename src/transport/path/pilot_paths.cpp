@@ -14,22 +14,47 @@ namespace oriel {
 namespace {
 
 constexpr std::size_t kPixelsOfGroup = 64;
-/// Light of a sample is limited to this many times the mean of all. Noise is relative to the
-/// pixel's light plus this share of the mean.
-constexpr float kBrightest = 256, kDarkest = 0.03f;
+/// Noise is relative to the light of a pixel, which the middle of its four means gives, but at
+/// least to a share of that of its block and of that of all. Where most paths miss the light, the
+/// middle is too dark. The mean of a block leaves out its brightest pixels, of which some may be
+/// lamps.
+constexpr float kShareOfBlock = 0.5f, kShareOfAll = 0.03f;
+constexpr int kBlocksOnASide = 8;
+constexpr double kKeptOfBlock = 0.9;
+/// The result where only one choice has noise.
+constexpr float kMostRatio = 256;
 /// Share of the pixels that noise is computed from; those with the largest differences are left
 /// out, so that a few do not decide.
 constexpr double kKeptShare = 0.99;
+/// Light that only the others have in the kept pixels is in the few that were left out, where it is
+/// noise: of its square divided by their share, at least. It counts from so many standard errors
+/// on.
+constexpr double kCertain = 2;
 /// Cost of a shadow ray in rays of paths, which are followed by the shading of a surface.
 constexpr double kShadowCost = 0.5;
 /// Samples of a pixel are stratified, which reduces the noise of some settings more than that of
 /// others.
 constexpr std::uint32_t kSamplesOfMean = kPilotPathsOfPixel / 2;
 
-std::array<Rgb, 2> trace_pilot(const World& world, const Window& window,
-                               const PathSettings& settings, std::uint32_t pixel,
-                               std::uint32_t seed, RayCounts& counts) {
-  std::array<Rgb, 2> means{Rgb(0), Rgb(0)};
+double cost_of(const RayCounts& counts) {
+  return static_cast<double>(counts.eye + counts.reflect + counts.refract + counts.gather) +
+         kShadowCost * static_cast<double>(counts.shadow);
+}
+
+float mean_of_darkest(std::vector<float>& block) {
+  if (block.empty()) return 0;
+  std::sort(block.begin(), block.end());
+  block.resize(
+      static_cast<std::size_t>(std::ceil(kKeptOfBlock * static_cast<double>(block.size()))));
+  return std::accumulate(block.begin(), block.end(), 0.0f) / static_cast<float>(block.size());
+}
+
+}  // namespace
+
+PilotPaths::Pixel PilotPaths::trace(const World& world, const Window& window,
+                                    const PathSettings& settings, std::uint32_t pixel,
+                                    std::uint32_t seed, RayCounts& counts) {
+  Pixel result;
   sampling::Sampler place(1, 0, pixel, seed);
   const Vec2 u = place.next_2d();
   const auto place_of = [](float u, int from, int size) {
@@ -43,17 +68,15 @@ std::array<Rgb, 2> trace_pilot(const World& world, const Window& window,
       const Vec2 raster = corner + sampler.next_2d();
       const PathResult path =
           trace_path(world, world.camera.ray(raster), raster, settings, sampler, counts);
-      if (std::isfinite(luminance(path.radiance))) means[i] += path.radiance / kSamplesOfMean;
+      if (std::isfinite(luminance(path.radiance)))
+        result.means[i] += path.radiance / kSamplesOfMean;
     }
-  return means;
+  const auto block_of = [](float u) {
+    return std::min(static_cast<std::size_t>(u * kBlocksOnASide), std::size_t{kBlocksOnASide - 1});
+  };
+  result.block = block_of(u.y) * kBlocksOnASide + block_of(u.x);
+  return result;
 }
-
-double cost_of(const RayCounts& counts) {
-  return static_cast<double>(counts.eye + counts.reflect + counts.refract + counts.gather) +
-         kShadowCost * static_cast<double>(counts.shadow);
-}
-
-}  // namespace
 
 PilotPaths::PilotPaths(const World& world, const Window& window, const PathSettings& settings,
                        std::uint32_t seed, RayCounts& counts, std::size_t pixels) {
@@ -64,7 +87,7 @@ PilotPaths::PilotPaths(const World& world, const Window& window, const PathSetti
   parallel_for(traced.size(), [&](std::size_t group) {
     for (std::size_t i = group * kPixelsOfGroup; i < (group + 1) * kPixelsOfGroup; ++i)
       pixels_[i] =
-          trace_pilot(world, window, settings, static_cast<std::uint32_t>(i), seed, traced[group]);
+          trace(world, window, settings, static_cast<std::uint32_t>(i), seed, traced[group]);
   });
   for (const RayCounts& of_group : traced) {
     counts += of_group;
@@ -72,46 +95,70 @@ PilotPaths::PilotPaths(const World& world, const Window& window, const PathSetti
   }
 }
 
-double PilotPaths::noise_of(const Means& means, const Means& others, float mean_of_all) {
-  double sum = 0;
-  const float limit = kBrightest * mean_of_all;
+std::vector<Rgb> PilotPaths::levels(const PilotPaths& a, const PilotPaths& b) {
+  std::vector<Rgb> levels(a.pixels_.size(), Rgb(0));
   for (int c = 0; c < 3; ++c) {
-    // The middle of the four means, which a single very bright path does not change.
-    std::array levels{std::abs(means[0][c]), std::abs(means[1][c]), std::abs(others[0][c]),
-                      std::abs(others[1][c])};
-    std::sort(levels.begin(), levels.end());
-    const float level = (levels[1] + levels[2]) / 2;
-    const float difference =
-        std::clamp(means[0][c], -limit, limit) - std::clamp(means[1][c], -limit, limit);
-    const double relative = static_cast<double>(difference / (level + kDarkest * mean_of_all));
-    sum += relative * relative / 3;
+    std::array<std::vector<float>, kBlocksOnASide * kBlocksOnASide> blocks;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      std::array means{std::abs(a.pixels_[i].means[0][c]), std::abs(a.pixels_[i].means[1][c]),
+                       std::abs(b.pixels_[i].means[0][c]), std::abs(b.pixels_[i].means[1][c])};
+      std::sort(means.begin(), means.end());
+      levels[i][c] = (means[1] + means[2]) / 2;
+      blocks[a.pixels_[i].block].push_back((means[0] + means[1] + means[2] + means[3]) / 4);
+    }
+    double of_all = 0;  // double: thousands of terms
+    std::array<float, kBlocksOnASide * kBlocksOnASide> least{};
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      of_all += std::accumulate(blocks[i].begin(), blocks[i].end(), 0.0);
+      least[i] = kShareOfBlock * mean_of_darkest(blocks[i]);
+    }
+    const float of_pixel = static_cast<float>(of_all) / static_cast<float>(levels.size());
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      levels[i][c] = std::max({levels[i][c], least[a.pixels_[i].block], kShareOfAll * of_pixel});
   }
-  return sum;
+  return levels;
+}
+
+double PilotPaths::noise(const std::vector<Rgb>& levels, const PilotPaths& others) const {
+  struct OfPixel {
+    double noise = 0, missing = 0;  ///< missing: light that the others have
+  };
+  std::vector<OfPixel> of_pixels(pixels_.size());
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const Rgb difference = pixels_[i].means[0] - pixels_[i].means[1];
+    const Rgb missing = (others.pixels_[i].means[0] + others.pixels_[i].means[1] -
+                         pixels_[i].means[0] - pixels_[i].means[1]) /
+                        2.0f;
+    for (int c = 0; c < 3; ++c) {
+      if (!(levels[i][c] > 0)) continue;
+      const double noise = static_cast<double>(difference[c] / levels[i][c]);
+      of_pixels[i].noise += noise * noise / 3;
+      of_pixels[i].missing += static_cast<double>(missing[c] / levels[i][c]) / 3;
+    }
+  }
+  std::sort(of_pixels.begin(), of_pixels.end(),
+            [](const OfPixel& a, const OfPixel& b) { return a.noise < b.noise; });
+  of_pixels.resize(
+      static_cast<std::size_t>(std::ceil(kKeptShare * static_cast<double>(of_pixels.size()))));
+  const double n = static_cast<double>(of_pixels.size());
+  double noise = 0, missing = 0, squares = 0;
+  for (const OfPixel& pixel : of_pixels) {
+    noise += pixel.noise / n;
+    missing += pixel.missing / n;
+    squares += pixel.missing * pixel.missing / n;
+  }
+  const double error = std::sqrt(std::max(squares - missing * missing, 0.0) / n);
+  const double certain = std::max(missing - kCertain * error, 0.0);
+  return noise + certain * certain / (1 - kKeptShare);
 }
 
 PilotComparison PilotPaths::compare(const PilotPaths& others) const {
-  const std::array<const PilotPaths*, 2> both{this, &others};
-  double sum = 0;  // double: thousands of terms
-  for (const PilotPaths* pilots : both)
-    for (const Means& means : pilots->pixels_)
-      for (const Rgb& light : means)
-        sum += static_cast<double>(std::abs(light.x) + std::abs(light.y) + std::abs(light.z));
-  if (!(sum > 0)) return {};
-  const float mean_of_all = static_cast<float>(sum / (12 * static_cast<double>(pixels_.size())));
-  std::array<double, 2> noise{};
-  for (std::size_t k = 0; k < 2; ++k) {
-    std::vector<double> of_pixels;
-    for (std::size_t i = 0; i < pixels_.size(); ++i)
-      of_pixels.push_back(noise_of(both[k]->pixels_[i], both[1 - k]->pixels_[i], mean_of_all));
-    std::sort(of_pixels.begin(), of_pixels.end());
-    const auto kept =
-        static_cast<std::ptrdiff_t>(kKeptShare * static_cast<double>(of_pixels.size()));
-    noise[k] = std::accumulate(of_pixels.begin(), of_pixels.begin() + kept, 0.0);
-  }
+  if (pixels_.empty()) return {};
+  const std::vector<Rgb> light = levels(*this, others);
   const auto ratio = [](double own, double of_others) {
-    return own > 0 ? static_cast<float>(of_others / own) : of_others > 0 ? kBrightest : 1.0f;
+    return own > 0 ? static_cast<float>(of_others / own) : of_others > 0 ? kMostRatio : 1.0f;
   };
-  return {ratio(noise[0], noise[1]), ratio(cost_, others.cost_)};
+  return {ratio(noise(light, others), others.noise(light, *this)), ratio(cost_, others.cost_)};
 }
 
 }  // namespace oriel

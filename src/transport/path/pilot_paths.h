@@ -24,9 +24,10 @@ struct PilotComparison {
 /// Paths of some pixels by one choice of settings.
 ///
 /// Model:   two means of eight stratified paths for each pixel. Noise is the squared difference of
-///          the means, relative to the pixel and averaged over channels and pixels, without the few
-///          pixels where it is largest. Cost is counted in rays. The same for any number of
-///          threads.
+///          the means, relative to the light of the pixel or of its block of the picture, averaged
+///          over channels and pixels, without the few pixels where it is largest. Light that one
+///          choice has in those few alone is noise, too. Cost is counted in rays. The same for any
+///          number of threads.
 /// Checked: PilotPaths.* in tests/analytic
 class PilotPaths {
  public:
@@ -40,11 +41,18 @@ class PilotPaths {
   PilotComparison compare(const PilotPaths& others) const;
 
  private:
-  using Means = std::array<Rgb, 2>;
-  /// Noise of a pixel of these paths, whose light is about that of both.
-  static double noise_of(const Means& means, const Means& others, float mean_of_all);
+  struct Pixel {
+    std::array<Rgb, 2> means{Rgb(0), Rgb(0)};
+    std::size_t block = 0;  ///< part of the window
+  };
+  static Pixel trace(const World& world, const Window& window, const PathSettings& settings,
+                     std::uint32_t pixel, std::uint32_t seed, RayCounts& counts);
+  /// Light by which noise of each pixel is divided, from both choices.
+  static std::vector<Rgb> levels(const PilotPaths& a, const PilotPaths& b);
+  /// Squared relative noise of a mean.
+  double noise(const std::vector<Rgb>& levels, const PilotPaths& others) const;
 
-  std::vector<Means> pixels_;
+  std::vector<Pixel> pixels_;
   double cost_ = 0;  ///< in rays
 };
 

@@ -38,6 +38,13 @@ TEST(PilotPaths, PreferTheSettingsWithLessNoise) {
   EXPECT_LT(ratio(world, Estimator::BsdfOnly, Estimator::LightOnly), .25f);
 }
 
+TEST(PilotPaths, SettingsThatMissTheLightAreNotPreferred) {
+  // One of 8000 rays finds a lamp of .02 x .02 at distance 1: one pixel of 500 has any light.
+  const Probe probe(lamp_over_floor(.01f));
+  for (std::uint32_t seed = 0; seed < 4; ++seed)
+    EXPECT_GT(ratio(probe.world(), Estimator::LightOnly, Estimator::BsdfOnly, seed), 30) << seed;
+}
+
 TEST(PilotPaths, FindNoDifferenceBetweenEqualSettings) {
   const Probe probe(lamp_over_floor(.5f));
   double sum = 0;
