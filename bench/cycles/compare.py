@@ -42,8 +42,8 @@ TARGETS = (1e-2, 1e-3)
 
 
 class Oriel:
-    def __init__(self, args, name, folder):
-        self.program, self.noise = args.oriel, args.adaptive
+    def __init__(self, args, name, folder, *more):
+        self.program, self.noise, self.more = args.oriel, args.adaptive, more
         self.file, self.out = (os.path.join(folder, f) for f in (name + ".mi", "oriel.exr"))
         self.probe, self.profile, self.sun = args.probe, os.path.join(folder, "profile.ies"), None
         scene = catalogue.SCENES[name]()
@@ -66,7 +66,8 @@ class Oriel:
 
     def command(self, samples, seed, threads, *more):
         return [self.program, "render", self.file, "--json", "-o", self.out, "--exr", "float",
-                "--seed", str(seed), "--threads", str(threads), "--samples", str(samples), *more]
+                "--seed", str(seed), "--threads", str(threads), "--samples", str(samples),
+                *self.more, *more]
 
     def start(self, threads):
         return measure.run(self.command(1, 1, threads, "--crop", "0,0,0,0", "--gi", "path"))
