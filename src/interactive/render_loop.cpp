@@ -207,6 +207,12 @@ bool RenderLoop::prepare() {
   return prepared_;
 }
 
+bool RenderLoop::prepare_completely() {
+  if (!prepare()) return false;
+  scene_.complete();
+  return true;
+}
+
 SessionSettings RenderLoop::session_settings(int divider) const {
   SessionSettings settings;
   settings.seed = settings_.seed;
@@ -277,6 +283,8 @@ void RenderLoop::end_caches() {
 
 bool RenderLoop::run_final(const std::atomic<bool>& cancel) {
   if (!session_) {
+    scene_.complete();
+    if (cancel) return false;
     SessionSettings settings = session_settings(1);
     settings.map_files = allowed_map_files(*scene_.world(), scene_.source().path, diagnostics_);
     settings.diagnostics = &diagnostics_;

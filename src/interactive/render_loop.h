@@ -79,8 +79,11 @@ class RenderLoop {
   PreparedScene& scene() { return scene_; }
   /// The full-size session; null before it starts.
   const RenderSession* session() const { return session_ ? &*session_ : nullptr; }
-  /// Brings the world up to date without rendering. False: it cannot be rendered.
+  /// Brings geometry, shaders and camera of the world up to date without rendering. False: it
+  /// cannot be rendered.
   bool prepare();
+  /// The same with the light sampler, which measurements of light need.
+  bool prepare_completely();
   /// From any thread.
   LoopStatus status() const;
   /// The pixel of the full-size picture, from the upper left, near which the picture refines first;
