@@ -13,7 +13,7 @@ namespace {
 
 /// A reduced picture after a change should take at most this time: with the preparation it then
 /// follows the pointer.
-constexpr double kFirstPictureSeconds = 0.09;
+constexpr double kFirstPictureSeconds = 0.06;
 constexpr int kLargestDivider = 32;
 constexpr int kDragDivider = 4;  ///< of the finest picture while a pointer drags
 
@@ -26,8 +26,9 @@ double copy_interval(double since) {
   return since < 8 ? 1 : 2;
 }
 
-/// Seconds after a change until which a draft of full size gets samples.
-constexpr double kDraftSeconds = 1;
+/// Seconds after a change until which a draft of full size gets samples. Learning takes seconds and
+/// starts the picture again, so that it pays later than this; see bench/README.md.
+constexpr double kDraftSeconds = 5;
 
 /// Copies take at most this share of the time.
 constexpr double kCopyShare = 0.1;
@@ -306,12 +307,16 @@ bool RenderLoop::run_draft(const std::atomic<bool>& cancel) {
     RenderSession session(world, settings);
     Progressive::Callbacks callbacks;
     callbacks.pass = [&](const Progress&) { copy_picture(session, 1, true); };
+    callbacks.wants_pause = [&] { return session.progress().pass > 0 && is_copy_due(); };
+    callbacks.paused = [&] { copy_picture(session, 1, true); };
     callbacks.spread = [this](const std::vector<int>& tiles, const auto& render_tile, const auto&) {
       render_tiles(tiles, render_tile);
     };
     set_progress({}, 1);
-    if (session.run(callbacks, &cancel) != StopReason::Cancelled)
+    if (session.run(callbacks, &cancel) != StopReason::Cancelled) {
+      copy_picture(session, 1, true);
       draft_samples_ = session.film().mean_samples();
+    }
   }
   world.options.choose(chosen);
   return draft_samples_ > 0;
