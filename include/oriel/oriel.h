@@ -100,7 +100,7 @@ typedef struct OrielPictureInfo {
   size_t size;
   uint32_t epoch;
   uint64_t number;       /* increases with each picture of a session */
-  int32_t preview;       /* a reduced picture that another one follows */
+  int32_t preview;       /* a draft, mostly reduced, that another picture follows */
   int32_t divider;       /* the picture is reduced by this factor */
   int32_t width, height; /* of the whole picture, reduced */
   int32_t x, y, w, h;    /* the part with pixels, from the upper left */

@@ -6,6 +6,7 @@
 #include "embed/embed_picture.h"
 #include "embed/embed_session.h"
 #include "embed/guard.h"
+#include "interactive/interactive_session.h"
 #include "interactive/render_loop.h"
 #include "interactive/save_edits.h"
 #include "output/camera_output.h"
@@ -18,6 +19,7 @@ using embed::EmbedSession;
 using embed::guarded;
 using embed::required;
 using interactive::RenderLoop;
+using interactive::TaskKind;
 
 struct OrielSession {
   EmbedSession session;
@@ -81,7 +83,7 @@ interactive::ViewSettings view_settings(const OrielView& view) {
 }
 
 std::uint32_t set_edits(EmbedSession& session, std::vector<std::string> edits) {
-  return session.run([&](RenderLoop& loop) {
+  return session.run(TaskKind::Changes, [&](RenderLoop& loop) {
     loop.set_edits(edits);
     return loop.next_epoch();
   });
@@ -142,11 +144,12 @@ OrielResult oriel_session_stop(OrielSession* session) {
 OrielResult oriel_session_edit(OrielSession* session, const char* edit, uint32_t* epoch) {
   return guarded([&] {
     const std::string text = &required(edit, "edit");
-    const std::uint32_t next = embed::session_of(session).run([&](RenderLoop& loop) {
-      loop.set_edits(
-          interactive::with_edit(loop.scene().scene(), loop.scene().edited().edits(), text));
-      return loop.next_epoch();
-    });
+    const std::uint32_t next =
+        embed::session_of(session).run(TaskKind::Changes, [&](RenderLoop& loop) {
+          loop.set_edits(
+              interactive::with_edit(loop.scene().scene(), loop.scene().edited().edits(), text));
+          return loop.next_epoch();
+        });
     embed::store_epoch(next, epoch);
   });
 }
@@ -165,13 +168,14 @@ OrielResult oriel_session_set_view(OrielSession* session, const OrielView* view,
   return guarded([&] {
     const auto settings = embed::view_settings(
         embed::known_fields(&required(view, "view"), &oriel_init_view, "view"));
-    const std::uint32_t next = embed::session_of(session).run([&](RenderLoop& loop) {
-      const std::string& camera = settings.camera;
-      if (!camera.empty() && !find_camera(loop.scene().scene(), loop.scene().command(), camera))
-        throw EmbedError(ORIEL_NOT_FOUND, "there is no camera " + camera);
-      loop.set_view(settings);
-      return loop.next_epoch();
-    });
+    const std::uint32_t next =
+        embed::session_of(session).run(TaskKind::Changes, [&](RenderLoop& loop) {
+          const std::string& camera = settings.camera;
+          if (!camera.empty() && !find_camera(loop.scene().scene(), loop.scene().command(), camera))
+            throw EmbedError(ORIEL_NOT_FOUND, "there is no camera " + camera);
+          loop.set_view(settings);
+          return loop.next_epoch();
+        });
     embed::store_epoch(next, epoch);
   });
 }
@@ -193,15 +197,17 @@ OrielResult oriel_session_wait(OrielSession* session, uint32_t epoch, uint32_t s
 OrielResult oriel_session_save_picture(OrielSession* session, const char* path) {
   return guarded([&] {
     const std::string file = &required(path, "path");
-    embed::session_of(session).run([&](RenderLoop& loop) { embed::save_picture(loop, file); });
+    embed::session_of(session).run(TaskKind::Waits,
+                                   [&](RenderLoop& loop) { embed::save_picture(loop, file); });
   });
 }
 
 OrielResult oriel_session_save_edits(OrielSession* session, const char* path) {
   return guarded([&] {
     const std::string file = &required(path, "path");
-    embed::session_of(session).run(
-        [&](RenderLoop& loop) { interactive::save_incremental(loop.scene(), file); });
+    embed::session_of(session).run(TaskKind::Reads, [&](RenderLoop& loop) {
+      interactive::save_incremental(loop.scene(), file);
+    });
   });
 }
 
@@ -214,7 +220,7 @@ OrielResult oriel_session_messages(OrielSession* session,
       OrielSeverity severity;
       std::string code, text;
     };
-    const auto lines = embed::session_of(session).run([](RenderLoop& loop) {
+    const auto lines = embed::session_of(session).run(TaskKind::Waits, [](RenderLoop& loop) {
       std::vector<Line> list;
       const Diagnostics& all = loop.diagnostics();
       for (const Diagnostic& d : all.all())

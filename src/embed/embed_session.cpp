@@ -52,16 +52,17 @@ EmbedSession::EmbedSession(const std::string& path, const OrielSettings& setting
       source_of(scene, settings), loop,
       interactive::SessionCallbacks{[this] { notify(); }, [this] { notify(); }});
   session_->set_paused(true);
-  if (!run([](interactive::RenderLoop& l) { return l.read(); }))
+  if (!run(interactive::TaskKind::Changes, [](interactive::RenderLoop& l) { return l.read(); }))
     throw EmbedError(ORIEL_FAILED, path + " could not be read as a scene");
 }
 
 EmbedSession::~EmbedSession() = default;
 
-void EmbedSession::run_task(const std::function<void(interactive::RenderLoop&)>& task) {
+void EmbedSession::run_task(const std::function<void(interactive::RenderLoop&)>& task,
+                            interactive::TaskKind kind) {
   std::packaged_task<void(interactive::RenderLoop&)> work(task);
   std::future<void> result = work.get_future();
-  session_->post([&work](interactive::RenderLoop& loop) { work(loop); });
+  session_->post([&work](interactive::RenderLoop& loop) { work(loop); }, kind);
   result.get();
 }
 

@@ -19,6 +19,7 @@ namespace oriel::interactive {
 class InteractiveSession;
 class RenderLoop;
 struct Picture;
+enum class TaskKind : std::uint8_t;
 }  // namespace oriel::interactive
 
 namespace oriel::embed {
@@ -39,13 +40,13 @@ class EmbedSession {
 
   /// Runs `task(RenderLoop&)` on the session's thread and returns its result or exception.
   template <class F>
-  auto run(F task) {
+  auto run(interactive::TaskKind kind, F task) {
     using Result = std::invoke_result_t<F, interactive::RenderLoop&>;
     if constexpr (std::is_void_v<Result>) {
-      run_task(task);
+      run_task(task, kind);
     } else {
       std::optional<Result> result;
-      run_task([&](interactive::RenderLoop& loop) { result = task(loop); });
+      run_task([&](interactive::RenderLoop& loop) { result = task(loop); }, kind);
       return *std::move(result);
     }
   }
@@ -56,7 +57,8 @@ class EmbedSession {
   void wait(std::uint32_t epoch, std::uint32_t samples, double seconds);
 
  private:
-  void run_task(const std::function<void(interactive::RenderLoop&)>& task);
+  void run_task(const std::function<void(interactive::RenderLoop&)>& task,
+                interactive::TaskKind kind);
   void notify();
   /// Whether waiting ends. Errors: EmbedError if the scene cannot be rendered.
   bool is_reached(std::uint32_t epoch, std::uint32_t samples) const;

@@ -91,7 +91,7 @@ bool PreparedScene::prepare_all(const ViewSettings& view, int width, int height)
   if (!world_) return false;
   nodes_at_first_ = world_->nodes.size();
   textures_at_first_ = world_->textures.size();
-  camera_at_first_ = world_->camera;
+  searched_camera_ = world_->camera;
   if (source_.indirect) world_->options.indirect = *source_.indirect;
   if (const scene::Camera* camera = find_camera(*scene_, command(), view.camera))
     outputs_ = camera_output_shaders(*camera, *scene_, host_->registry(), *world_, diagnostics_);
@@ -129,8 +129,11 @@ bool PreparedScene::place_camera_alone(const ViewSettings& view, int width, int 
   if (!place_camera_again(*scene_, command(), prepare_options(view, width, height), *world_,
                           diagnostics_))
     return false;
-  // Openings to the environment are searched from what the scene's camera sees.
-  return world_->environment.empty() || same_rays(world_->camera, camera_at_first_);
+  // The sampler of the environment depends on what the scene's camera sees.
+  if (!world_->environment.empty() && !same_rays(world_->camera, searched_camera_))
+    world_->draft_environment = world_->draft_openings = true;
+  searched_camera_ = world_->camera;
+  return true;
 }
 
 bool PreparedScene::update(const EditEffects& effects, const ViewSettings& view, int width,
@@ -143,6 +146,12 @@ bool PreparedScene::update(const EditEffects& effects, const ViewSettings& view,
     if (!prepare_all(view, width, height)) return false;
   apply_look(view);
   return true;
+}
+
+void PreparedScene::complete() {
+  std::swap(world_->camera, searched_camera_);
+  complete_light_sampler(*world_);
+  std::swap(world_->camera, searched_camera_);
 }
 
 void PreparedScene::resize_camera(const ViewSettings& view, int width, int height) {

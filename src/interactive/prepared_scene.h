@@ -43,8 +43,8 @@ struct SceneSource {
 /// Model:   update() prepares as little as the effects allow: nothing of the world for the film,
 ///          the camera alone, what depends on an element, else everything but unchanged meshes.
 ///          Shaders that are bound again are added to the world, which is prepared as a whole
-///          before it has more than twice as many (and kSpareNodes) as at first. The world is
-///          always equal to that of a scene that was read and edited afresh.
+///          before it has more than twice as many (and kSpareNodes) as at first. After complete()
+///          the world is equal to that of a scene that was read and edited afresh.
 /// Checked: EditTable.* in tests/interactive
 class PreparedScene {
  public:
@@ -56,9 +56,11 @@ class PreparedScene {
   /// Reads the frame; also again, without edits. Returns false if there is none.
   bool read();
   bool is_read() const { return edited_.has_value(); }
-  /// Brings the world up to date. Returns false if it cannot be rendered.
+  /// Brings the world up to date for reduced pictures. Returns false if it cannot be rendered.
   /// Inputs:  width, height: of the picture; 0 = from the camera.
   bool update(const EditEffects& effects, const ViewSettings& view, int width, int height);
+  /// Brings it up to date for all pictures; see complete_light_sampler().
+  void complete();
   /// Places the camera for a picture of that size; the geometry is that of the size in update().
   void resize_camera(const ViewSettings& view, int width, int height);
 
@@ -106,7 +108,7 @@ class PreparedScene {
   std::size_t preparations_ = 0;
   /// bound shaders and textures after the last preparation of everything
   std::size_t nodes_at_first_ = 0, textures_at_first_ = 0;
-  Camera camera_at_first_;  ///< the scene's camera then
+  Camera searched_camera_;  ///< the scene's camera, without the view's look
   NodeList outputs_;
   UnitLuminance unit_;
 };

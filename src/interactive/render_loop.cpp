@@ -13,7 +13,7 @@ namespace {
 
 /// A reduced picture after a change should take at most this time: with the preparation it then
 /// follows the pointer.
-constexpr double kFirstPictureSeconds = 0.09;
+constexpr double kFirstPictureSeconds = 0.06;
 constexpr int kLargestDivider = 32;
 constexpr int kDragDivider = 4;  ///< of the finest picture while a pointer drags
 
@@ -25,6 +25,10 @@ double copy_interval(double since) {
   if (since < 4) return 0.5;
   return since < 8 ? 1 : 2;
 }
+
+/// Seconds after a change until which a draft of full size gets samples. Learning takes seconds and
+/// starts the picture again, so that it pays later than this; see bench/README.md.
+constexpr double kDraftSeconds = 5;
 
 /// Copies take at most this share of the time.
 constexpr double kCopyShare = 0.1;
@@ -77,12 +81,18 @@ void RenderLoop::change(const EditEffects& effects) {
   if (effects.bits == kEffectNone) return;
   if (pending_.bits == kEffectNone) changed_at_ = Clock::now();
   pending_ |= effects;
+  if ((effects.bits & ~unsigned{kEffectFilm}) != 0)
+    preparation_ = {};
+  else if (session_ && session_->can_save())
+    preparation_ = session_->take_preparation();
   session_.reset();
   finished_ = false;
 }
 
 void RenderLoop::set_edits(const std::vector<std::string>& edits) {
+  if (prepared_ && edits == scene_.edited().edits()) return;
   session_.reset();  // its world refers to elements that change
+  preparation_ = {};
   finished_ = false;
   EditEffects effects = scene_.edited().set(edits);
   if (effects.bits == kEffectNone) effects.bits = kEffectFilm;
@@ -203,8 +213,15 @@ bool RenderLoop::prepare() {
   first_picture_ = true;
   last_copy_ = 0;
   next_divider_ = start_divider();
+  draft_samples_ = 0;
   if (!prepared_) set_state(LoopState::Failed);
   return prepared_;
+}
+
+bool RenderLoop::prepare_completely() {
+  if (!prepare()) return false;
+  scene_.complete();
+  return true;
 }
 
 SessionSettings RenderLoop::session_settings(int divider) const {
@@ -237,7 +254,11 @@ bool RenderLoop::run(const std::atomic<bool>& cancel) {
     finished_ = true;
     return true;
   }
-  if (cancel || !run_final(cancel)) return false;
+  if (cancel) return false;
+  make_session();
+  if (cancel || (draft_samples_ == 0 && session_->prepares_long() && !run_draft(cancel)))
+    return false;
+  if (!run_final(cancel)) return false;
   finished_ = true;
   set_state(LoopState::Converged);
   return true;
@@ -275,22 +296,57 @@ void RenderLoop::end_caches() {
   if (computes_caches_.exchange(false) && caches_end_) caches_end_();
 }
 
-bool RenderLoop::run_final(const std::atomic<bool>& cancel) {
-  if (!session_) {
-    SessionSettings settings = session_settings(1);
-    settings.map_files = allowed_map_files(*scene_.world(), scene_.source().path, diagnostics_);
-    settings.diagnostics = &diagnostics_;
-    settings.picture_if_cancelled = false;
-    session_.emplace(*scene_.world(), settings);
+/// Path traced without what the full-size session computes beforehand.
+bool RenderLoop::run_draft(const std::atomic<bool>& cancel) {
+  World& world = *scene_.world();
+  const auto chosen = world.options.choose_paths_alone();
+  SessionSettings settings = session_settings(1);
+  settings.budget.seconds = std::max(1e-3, kDraftSeconds - seconds_since(changed_at_));
+  settings.draft = true;
+  {
+    RenderSession session(world, settings);
+    Progressive::Callbacks callbacks;
+    callbacks.pass = [&](const Progress&) { copy_picture(session, 1, true); };
+    callbacks.wants_pause = [&] { return session.progress().pass > 0 && is_copy_due(); };
+    callbacks.paused = [&] { copy_picture(session, 1, true); };
+    callbacks.spread = [this](const std::vector<int>& tiles, const auto& render_tile, const auto&) {
+      render_tiles(tiles, render_tile);
+    };
+    set_progress({}, 1);
+    if (session.run(callbacks, &cancel) != StopReason::Cancelled) {
+      copy_picture(session, 1, true);
+      draft_samples_ = session.film().mean_samples();
+    }
   }
+  world.options.choose(chosen);
+  return draft_samples_ > 0;
+}
+
+void RenderLoop::make_session() {
+  if (session_) return;
+  scene_.complete();
+  SessionSettings settings = session_settings(1);
+  settings.map_files = allowed_map_files(*scene_.world(), scene_.source().path, diagnostics_);
+  settings.diagnostics = &diagnostics_;
+  settings.picture_if_cancelled = false;
+  session_.emplace(*scene_.world(), settings);
+  session_->reuse(std::exchange(preparation_, {}));
+}
+
+bool RenderLoop::run_final(const std::atomic<bool>& cancel) {
+  // A picture with fewer samples than the draft has would look worse.
+  const auto is_better = [this] { return session_->film().mean_samples() >= draft_samples_; };
   Progressive::Callbacks callbacks;
   callbacks.progress = [this](const Progress& p) { set_progress(p, 1); };
-  callbacks.pass = [this](const Progress& p) {
+  callbacks.pass = [&](const Progress& p) {
     count_messages();
     set_progress(p, 1);
-    if (first_picture_ || p.pass <= 1 || is_copy_due()) copy_picture(*session_, 1, false);
+    if (is_better() && (first_picture_ || p.pass <= 1 || is_copy_due()))
+      copy_picture(*session_, 1, false);
   };
-  callbacks.wants_pause = [this] { return session_->progress().pass > 0 && is_copy_due(); };
+  callbacks.wants_pause = [&] {
+    return session_->progress().pass > 0 && is_copy_due() && is_better();
+  };
   callbacks.paused = [this] { copy_picture(*session_, 1, false); };
   callbacks.spread = [this](const std::vector<int>& tiles, const auto& render_tile, const auto&) {
     end_caches();

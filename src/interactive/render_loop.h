@@ -44,7 +44,9 @@ struct LoopSettings {
 ///
 /// Model:   each change starts an epoch. Its pictures are of 1/8, 1/4 and 1/2 of the size with one
 ///          sample, path traced, then of full size; where the last of these pictures show that the
-///          first would take longer than kFirstPictureSeconds, it is reduced further. The full-size
+///          first would take longer than kFirstPictureSeconds, it is reduced further. If caches or
+///          what paths learn have to be computed, a draft of full size without them comes before;
+///          they stay for changes of the film alone, such as other layers. The full-size
 ///          session is that of `oriel render`
 ///          with the same seed and budget, so its result has the same bytes; it is continued after
 ///          interruptions without a change. Its passes start with the tiles near the pointer.
@@ -79,8 +81,11 @@ class RenderLoop {
   PreparedScene& scene() { return scene_; }
   /// The full-size session; null before it starts.
   const RenderSession* session() const { return session_ ? &*session_ : nullptr; }
-  /// Brings the world up to date without rendering. False: it cannot be rendered.
+  /// Brings geometry, shaders and camera of the world up to date without rendering. False: it
+  /// cannot be rendered.
   bool prepare();
+  /// The same with the light sampler, which measurements of light need.
+  bool prepare_completely();
   /// From any thread.
   LoopStatus status() const;
   /// The pixel of the full-size picture, from the upper left, near which the picture refines first;
@@ -107,7 +112,9 @@ class RenderLoop {
   void count_messages();
   int start_divider() const;
   bool run_preview(const std::atomic<bool>& cancel);
+  bool run_draft(const std::atomic<bool>& cancel);
   bool run_final(const std::atomic<bool>& cancel);
+  void make_session();
   void end_caches();
   /// Callback of passes, see Progressive.
   void render_tiles(const std::vector<int>& tiles, const std::function<void(int)>& render_tile);
@@ -125,6 +132,8 @@ class RenderLoop {
   ViewSettings view_;
   EditEffects pending_;
   std::optional<RenderSession> session_;
+  RenderSession::Preparation preparation_;  ///< of a former session, for the same world
+  double draft_samples_ = 0;                ///< per pixel of the full-size draft; 0 = there is none
   int next_divider_ = 1;
   bool finished_ = false;
   bool prepared_ = false;

@@ -18,7 +18,7 @@ constexpr float kPlainShare = 0.2f;
 
 }  // namespace
 
-EnvironmentLight::EnvironmentLight(const World& world) : table_(world) {
+EnvironmentLight::EnvironmentLight(const World& world, bool draft) : table_(world, draft) {
   const std::size_t side = table_.side();
   if (side == 0) return;
   std::vector<float> luminances = table_.take_luminances(), angles(luminances.size());

@@ -17,8 +17,8 @@ namespace oriel {
 class EnvironmentLight {
  public:
   EnvironmentLight() = default;
-  /// Inputs:  world: with its environment bound, and no materials yet.
-  explicit EnvironmentLight(const World& world);
+  /// Inputs:  as EnvironmentTable.
+  explicit EnvironmentLight(const World& world, bool draft = false);
 
   /// Whether it lights diffuse surfaces.
   bool lights() const { return mean_luminance_ > 0; }

@@ -17,6 +17,8 @@ namespace {
 /// Cells along a side: with pictures .4 degrees, which resolves lamps in a photographed sky. A sky
 /// from formulas is smooth, and a table that fits the processor's cache is faster.
 constexpr std::size_t kPictureSide = 512, kFormulaSide = 256, kReportSide = 16;
+/// The same of a draft.
+constexpr std::size_t kDraftPictureSide = 128, kDraftFormulaSide = 64;
 /// Points along each side of a cell, so that the smallest lamps are seen: .3 degrees apart, and at
 /// most 1.5 pixels of a picture.
 constexpr int kPoints = 3, kFewPoints = 2, kMaxPoints = 4;
@@ -36,12 +38,24 @@ float positive_luminance(const Rgb& c) {
 
 bool is_usable(const Rgb& c) { return is_finite(c) && c.x >= 0 && c.y >= 0 && c.z >= 0; }
 
+/// The textures that the environment may use.
+std::size_t texture_count(const World& world) {
+  return std::min(world.textures.size(), world.environment_textures);
+}
+
 /// Pixels of the largest picture.
 double largest_picture(const World& world) {
   double most = 0;
-  for (const auto& texture : world.textures)
-    most = std::max(most, static_cast<double>(texture->width()) * texture->height());
+  for (std::size_t i = 0; i < texture_count(world); ++i) {
+    const TextureNode& texture = *world.textures[i];
+    most = std::max(most, static_cast<double>(texture.width()) * texture.height());
+  }
   return most;
+}
+
+std::size_t side_of_table(bool pictures, bool draft) {
+  if (draft) return pictures ? kDraftPictureSide : kDraftFormulaSide;
+  return pictures ? kPictureSide : kFormulaSide;
 }
 
 }  // namespace
@@ -106,14 +120,16 @@ EnvironmentTable::Cell EnvironmentTable::cell(const World& world, std::size_t x,
   return cell;
 }
 
-EnvironmentTable::EnvironmentTable(const World& world) {
+EnvironmentTable::EnvironmentTable(const World& world, bool draft) {
   if (world.environment.empty()) return;
   const double pixels = largest_picture(world);
-  detailed_ = !world.textures.empty();
-  side_ = world.coarse_tables ? kReportSide : detailed_ ? kPictureSide : kFormulaSide;
+  const bool pictures = texture_count(world) > 0;
+  detail_ = pictures ? TableDetail::Detailed : TableDetail::Smooth;
+  if (draft) detail_ = TableDetail::Draft;
+  side_ = world.coarse_tables ? kReportSide : side_of_table(pictures, draft);
   const double needed = std::sqrt(pixels) / (kPixelsBetween * static_cast<double>(side_));
-  const bool seen_all = needed <= kMaxPoints;
-  int points = detailed_ || world.coarse_tables ? kFewPoints : kPoints;
+  int points = pictures || world.coarse_tables ? kFewPoints : kPoints;
+  const bool seen_all = needed <= (draft ? points : kMaxPoints);
   if (seen_all && !world.coarse_tables)
     points = std::max(points, static_cast<int>(std::ceil(needed)));
   const bool own_code =

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -11,6 +12,13 @@
 namespace oriel {
 
 struct World;
+
+/// How finely an environment is tabulated.
+enum class TableDetail : std::uint8_t {
+  Draft,    ///< for reduced pictures
+  Smooth,   ///< without small details: formulas
+  Detailed  ///< with small details: pictures
+};
 
 /// Radiance of World::environment for rays of kind FinalGather.
 ///
@@ -24,15 +32,14 @@ struct World;
 class EnvironmentTable {
  public:
   EnvironmentTable() = default;
-  /// Inputs:  world: with its environment bound, and no materials yet.
-  explicit EnvironmentTable(const World& world);
+  /// Inputs:  world: with its environment bound; draft: a table of few cells, for reduced pictures.
+  explicit EnvironmentTable(const World& world, bool draft = false);
 
   /// Cells along each side; 0 without environment.
   std::size_t side() const { return side_; }
   /// Mean luminance of each cell, row after row; removed from the table.
   std::vector<float> take_luminances() { return std::move(luminances_); }
-  /// Whether the environment may have small details: pictures.
-  bool detailed() const { return detailed_; }
+  TableDetail detail() const { return detail_; }
   /// Whether the radiance is the same in all directions.
   bool constant() const { return constant_.has_value(); }
   /// Whether the radiance of glossy rays is the same.
@@ -56,7 +63,8 @@ class EnvironmentTable {
   static Rgb evaluated(const World& world, const EnvironmentRay& ray);
 
   std::size_t side_ = 0;
-  bool detailed_ = false, same_for_glossy_rays_ = false;
+  TableDetail detail_ = TableDetail::Smooth;
+  bool same_for_glossy_rays_ = false;
   std::optional<Rgb> constant_;
   std::vector<Rgb> cells_;  // x below 0: not usable; empty: none is
   std::vector<float> luminances_;

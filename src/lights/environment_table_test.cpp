@@ -64,7 +64,7 @@ TEST(EnvironmentTable, HoldsASmoothEnvironment) {
   Scene scene(sky);
   const EnvironmentTable table(scene.world);
   EXPECT_FALSE(table.constant());
-  EXPECT_FALSE(table.detailed());
+  EXPECT_EQ(table.detail(), TableDetail::Smooth);
   EXPECT_TRUE(table.same_for_glossy_rays());
   Imath::V3d sum(0), expected(0);
   int same = 0;

@@ -130,7 +130,7 @@ std::vector<OpeningRectangle> accepted(const std::vector<OpeningPlane>& planes,
 }
 
 /// Adds tables of the environment behind the rectangles, and removes those with darkness behind.
-void add_tables(const World& world, bool detailed, std::vector<OpeningRectangle>& rectangles) {
+void add_tables(const World& world, TableDetail detail, std::vector<OpeningRectangle>& rectangles) {
   for (std::size_t i = 0; i < rectangles.size(); ++i) {
     OpeningRectangle& r = rectangles[i];
     const auto parallel =
@@ -145,7 +145,7 @@ void add_tables(const World& world, bool detailed, std::vector<OpeningRectangle>
     else
       r.table = std::make_shared<const PortalTable>(world.environment, world, RayKind::FinalGather,
                                                     normalize(r.edge_u), normalize(r.edge_v),
-                                                    -r.inward, detailed);
+                                                    -r.inward, detail);
   }
   std::erase_if(rectangles, [](const OpeningRectangle& r) { return !r.table->lights(); });
 }
@@ -180,8 +180,7 @@ Openings find_openings(const World& world, const EnvironmentLight& environment,
     return {{}, std::move(found)};
   if (!found) found = std::make_shared<const std::vector<OpeningRectangle>>(search(world));
   std::vector<OpeningRectangle> rectangles = *found;
-  if (!environment.table().constant())
-    add_tables(world, environment.table().detailed(), rectangles);
+  if (!environment.table().constant()) add_tables(world, environment.table().detail(), rectangles);
   return {std::move(rectangles), std::move(found)};
 }
 

@@ -68,7 +68,7 @@ class Scene {
   LightSampler sampler(MeshLights mesh_lights = {}, Openings openings = {}) {
     world.accel->commit();
     EnvironmentLight environment(world);
-    open_portals(world, environment.table().detailed());
+    open_portals(world, environment.table().detail());
     return LightSampler(world, std::move(environment), std::move(mesh_lights), std::move(openings));
   }
   LitVertex vertex() {

@@ -19,7 +19,7 @@ namespace {
 
 /// Cells each way over half a turn: 0.35 degrees resolve lamps in a photographed sky, a sky from
 /// formulas is smooth.
-constexpr std::size_t kDetailedSide = 512, kSmoothSide = 128;
+constexpr std::size_t kDetailedSide = 512, kSmoothSide = 128, kDraftSide = 64;
 /// The same where a table small enough for the fastest cache will do.
 constexpr std::size_t kRoughSide = 32;
 /// Luminance of a cell of it over the mean from which on choices go by it; a guess: a clear sky
@@ -33,6 +33,11 @@ constexpr double kStructured = 1.3;
 constexpr float kEvenShare = 0.05f;
 /// Grazing light that is given up, as for other flat lights.
 constexpr float kMinCosine = 1e-6f;
+
+std::size_t side_of(TableDetail detail) {
+  if (detail == TableDetail::Draft) return kDraftSide;
+  return detail == TableDetail::Detailed ? kDetailedSide : kSmoothSide;
+}
 
 /// Coordinate of the table, in [0,1], of the tangent x / z; z above 0.
 float uv_of(float x, float z) { return 0.5f * x / (std::abs(x) + z) + 0.5f; }
@@ -66,9 +71,9 @@ Seen seen_from(const Light& light, const Vec3& from) {
 }  // namespace
 
 PortalTable::PortalTable(const NodeList& shaders, const World& world, RayKind lookup, const Vec3& x,
-                         const Vec3& y, const Vec3& z, bool detailed)
+                         const Vec3& y, const Vec3& z, TableDetail detail)
     : x_(x), y_(y), z_(z), shaders_(shaders), lookup_(lookup) {
-  const std::size_t side = detailed ? kDetailedSide : kSmoothSide;
+  const std::size_t side = side_of(detail);
   std::vector<float> values(side * side), angles(side * side);
   parallel_for(side, [&](std::size_t j) {
     for (std::size_t i = 0; i < side; ++i) {
@@ -248,7 +253,7 @@ bool is_behind_portal(const World& world, const Vec3& point, const Vec3& to_sour
   return behind;
 }
 
-void open_portals(World& world, bool detailed) {
+void open_portals(World& world, TableDetail detail) {
   std::vector<std::shared_ptr<const PortalTable>> tables;
   for (std::size_t i = 0; i < world.lights.size(); ++i) {
     Light& light = world.lights[i];
@@ -277,11 +282,15 @@ void open_portals(World& world, bool detailed) {
     auto table = std::find_if(tables.begin(), tables.end(), same);
     if (table == tables.end()) {
       tables.push_back(std::make_shared<const PortalTable>(portal.shaders, world, portal.lookup, x,
-                                                           y, -light.direction, detailed));
+                                                           y, -light.direction, detail));
       table = tables.end() - 1;
     }
     portal.table = *table;
-    if (!portal.table->lights()) portal.scale = Rgb(0);
+    if (portal.table->lights()) continue;
+    if (detail == TableDetail::Draft)
+      portal.table = nullptr;  // a small source may have been missed
+    else
+      portal.scale = Rgb(0);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "lights/environment_table.h"
 #include "lights/light_shape.h"
 #include "sampling/windowed_distribution.h"
 
@@ -24,9 +25,8 @@ struct World;
 /// Checked: Portal.* in tests/analytic/portals/portal_test.cpp.
 class PortalTable {
  public:
-  /// Inputs:  detailed: the environment may have small details, as pictures have.
   PortalTable(const NodeList& shaders, const World& world, RayKind lookup, const Vec3& x,
-              const Vec3& y, const Vec3& z, bool detailed);
+              const Vec3& y, const Vec3& z, TableDetail detail);
 
   const Vec3& x() const { return x_; }
   const Vec3& y() const { return y_; }
@@ -108,8 +108,7 @@ PortalsOnWay portals_on_way(const World& world, const Vec3& from, const Vec3& di
 bool is_behind_portal(const World& world, const Vec3& point, const Vec3& to_source, float t_most,
                       float time);
 
-/// Orients and completes the portals among the lights; requires the bound environment. `detailed`:
-/// see PortalTable.
-void open_portals(World& world, bool detailed);
+/// Orients and completes the portals among the lights; requires the bound environment.
+void open_portals(World& world, TableDetail detail);
 
 }  // namespace oriel

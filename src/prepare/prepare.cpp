@@ -94,7 +94,8 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   Binder binder(scene, registry, *world, world->light_names, diagnostics);
   bind_lights(leaves, binder, *world, diagnostics);
   messages.end(kPartLights);
-  EnvironmentLight environment = bind_environment(*camera, binder, *world);
+  bind_environment(*camera, binder, *world);
+  EnvironmentLight environment(*world);
   messages.end(kPartEnvironment);
   bind_camera_shaders(scene.get<scene::Options>(command.options), *camera, binder, *world,
                       diagnostics);
@@ -103,7 +104,8 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
                  diagnostics, report);
   messages.skip();
   if (!has_buffer_writers(*world)) world->user_buffers.clear();
-  sample_lights(leaves, options, std::move(environment), {}, *world, diagnostics);
+  const auto emissive = make_light_sampler(std::move(environment), {}, *world);
+  make_light_layers(leaves, options, emissive, *world, diagnostics);
   messages.end(kPartSampler);
 
   report.binding = binder.report();

@@ -56,11 +56,14 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
 bool place_camera_again(const scene::Scene& scene, const scene::RenderCommand& command,
                         const PrepareOptions& options, World& world, Diagnostics& diagnostics);
 
-/// Prepares again what depends on elements of the scene that have changed.
+/// Prepares again what depends on elements of the scene that have changed, for reduced pictures:
+/// before others, complete_light_sampler() is necessary.
 ///
 /// Model:   materials are bound again; a light renews all lights and their sampler; what refers to
 ///          a changed light or shader is bound again; an instance renews all instances, with the
-///          same meshes; emission renews the sampler. The world is then equal to a new one.
+///          same meshes; emission renews the sampler. The table of a changed environment is small,
+///          and changed geometry keeps the openings of the former one, which costs noise alone.
+///          Once completed, the world is equal to a new one.
 /// Inputs:  changed: names of materials, lights, named shaders, textures, instances, and of cameras
 ///          whose shaders changed. options: with the cache of the world's geometry.
 /// Returns: false if more depends on the change, or might: the names of lights or instances,
@@ -70,5 +73,9 @@ bool place_camera_again(const scene::Scene& scene, const scene::RenderCommand& c
 bool update_world(scene::Scene& scene, const scene::RenderCommand& command,
                   const Registry& registry, const PrepareOptions& options,
                   const std::set<std::string>& changed, World& world);
+
+/// Makes the tables of the environment and searches its openings where these are drafts. Inputs:
+/// world: its camera is the one whose view is searched for openings.
+void complete_light_sampler(World& world);
 
 }  // namespace oriel

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "lights/emission.h"
 #include "lights/environment_light.h"
 #include "lights/openings.h"
 #include "prepare/prepare.h"
@@ -36,7 +37,7 @@ Material bind_material(const scene::Scene& scene, const std::string& name, Sourc
 
 /// Binds the environment; requires the bound lights. Only the textures of lights and of the
 /// environment may be bound.
-EnvironmentLight bind_environment(const scene::Camera& camera, Binder& binder, World& world);
+void bind_environment(const scene::Camera& camera, Binder& binder, World& world);
 
 /// Binds state shaders, lens and volume shaders. options: null = none.
 void bind_camera_shaders(const scene::Options* options, const scene::Camera& camera, Binder& binder,
@@ -48,10 +49,15 @@ struct KnownOpenings {
   OpeningSearch found;          ///< set if geometry and camera are the same, see find_openings()
 };
 
-/// Opens the portals, creates the light sampler and the light layers, from everything else.
-void sample_lights(const std::vector<scene::Leaf>& leaves, const PrepareOptions& options,
-                   EnvironmentLight environment, KnownOpenings known, World& world,
-                   Diagnostics& diagnostics);
+/// Opens the portals and creates the light sampler, from everything else. Returns what the
+/// materials emit.
+std::vector<EmissionKind> make_light_sampler(EnvironmentLight environment, KnownOpenings known,
+                                             World& world);
+
+/// Creates the light layers. Inputs: emissive: of make_light_sampler().
+void make_light_layers(const std::vector<scene::Leaf>& leaves, const PrepareOptions& options,
+                       const std::vector<EmissionKind>& emissive, World& world,
+                       Diagnostics& diagnostics);
 
 /// Creates meshes, instances and their materials; materials of the world are used again.
 /// options_name: the options element of the picture.

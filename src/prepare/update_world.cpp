@@ -32,6 +32,7 @@ class WorldUpdate {
   bool renew_camera_shaders();
   bool renew_materials();
   bool renew_instances();
+  void make_draft_sampler();
   bool reported_before(unsigned parts) const { return (world_.parts_with_messages & parts) != 0; }
 
   scene::Scene& scene_;
@@ -99,13 +100,12 @@ bool WorldUpdate::run() {
   if (!changed_.are_supported() || !place_leaves()) return false;
   find_dependents();
   sampler_before_ = std::exchange(world_.light_sampler, nullptr);
-  // The table of the environment depends on the textures that are bound before it.
+  // The table of the environment depends on the textures of it and of the lights: they come first.
   std::deque<std::unique_ptr<TextureNode>> textures;
   if (environment_) textures.swap(world_.textures);
-  EnvironmentLight environment = sampler_before_->environment();
   if (lights_ && !renew_lights()) return false;
   if (environment_) {
-    environment = bind_environment(*camera_, binder_, world_);
+    bind_environment(*camera_, binder_, world_);
     world_.textures.insert(world_.textures.begin(), std::move_iterator(textures.begin()),
                            std::move_iterator(textures.end()));
   }
@@ -116,11 +116,23 @@ bool WorldUpdate::run() {
     return reported_.all().empty();
   }
   if (reported_before(kPartSampler)) return false;
-  KnownOpenings known;
-  if (!environment_ && !instances_ && !portals_) known.all = sampler_before_->openings();
-  if (!instances_) known.found = sampler_before_->openings().found();
-  sample_lights(leaves_, options_, std::move(environment), std::move(known), world_, reported_);
+  make_draft_sampler();
   return reported_.all().empty();
+}
+
+void WorldUpdate::make_draft_sampler() {
+  world_.draft_environment |= environment_;
+  world_.draft_openings |= instances_;
+  const Openings& openings = sampler_before_->openings();
+  KnownOpenings known;
+  if (!environment_ && !portals_) known.all = openings;
+  known.found = openings.found();
+  if (!known.found && world_.draft_openings)
+    known.found = std::make_shared<const std::vector<OpeningRectangle>>();
+  const auto emissive = make_light_sampler(
+      environment_ ? EnvironmentLight(world_, true) : sampler_before_->environment(),
+      std::move(known), world_);
+  make_light_layers(leaves_, options_, emissive, world_, reported_);
 }
 
 bool WorldUpdate::place_leaves() {

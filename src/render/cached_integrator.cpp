@@ -184,8 +184,16 @@ void CachedIntegrator::find_lit_surfaces(const IntegratorPreparation& p) {
 }
 
 /// Only paths that trace diffuse bounces learn.
+bool CachedIntegrator::learns() const {
+  return plan_.indirect && !plan_.gather && !plan_.global && !caches_only();
+}
+
+bool CachedIntegrator::prepares_long(double paths) const {
+  return has_caches() || (learns() && may_learn(world_, paths));
+}
+
 void CachedIntegrator::learn(const IntegratorPreparation& p) {
-  if (!plan_.indirect || plan_.gather || plan_.global || caches_only()) return;
+  if (!learns()) return;
   PathSettings settings = path_settings();
   settings.lit = lit_.empty() ? nullptr : &lit_;
   learned_ = learn_light(world_, p, settings);

@@ -43,6 +43,7 @@ class CachedIntegrator final : public Integrator {
   void trace(const Camera::Ray& eye, Vec2 raster, float paths_of_pixel, PathRecord& record,
              sampling::Sampler& sampler, RayCounts& counts) const override;
   bool has_caches() const override { return plan_.maps() || plan_.sharp_caustics; }
+  bool prepares_long(double paths) const override;
   bool is_prepared() const override { return prepared_; }
   bool caches_only() const override;
   std::size_t gather_points() const override { return cache_.records().size(); }
@@ -57,6 +58,7 @@ class CachedIntegrator final : public Integrator {
   void start_helpers(const IntegratorPreparation& p);
   void gather_in_passes(GatherPasses passes, const IntegratorPreparation& p);
   void find_lit_surfaces(const IntegratorPreparation& p);
+  bool learns() const;
   void learn(const IntegratorPreparation& p);
   void trace_sharp_caustics(const IntegratorPreparation& p);
   void trace_photon_maps(const IntegratorPreparation& p);

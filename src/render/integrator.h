@@ -79,8 +79,13 @@ class Integrator {
 
   /// False if prepare() was cancelled.
   virtual bool is_prepared() const { return true; }
-  /// Whether prepare() has work.
+  /// Whether prepare() computes caches.
   virtual bool has_caches() const { return false; }
+  /// Whether prepare() may take long for a picture of that many camera paths.
+  virtual bool prepares_long(double paths) const {
+    (void)paths;
+    return has_caches();
+  }
   /// Whether the options ask for the caches only, without a picture.
   virtual bool caches_only() const { return false; }
   /// Number of final gather points in the caches.

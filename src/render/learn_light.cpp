@@ -111,9 +111,13 @@ bool LearnedLight::is_valid(const World& world) const {
          (diffuse_rays == 1 || diffuse_rays == kMoreRays);
 }
 
+bool may_learn(const World& world, double paths) {
+  return world.options.guiding && paths >= kLeastPaths;
+}
+
 LearnedLight learn_light(const World& world, const IntegratorPreparation& p,
                          const PathSettings& settings) {
-  if (!world.options.guiding || p.paths < kLeastPaths) return {};
+  if (!may_learn(world, p.paths)) return {};
   p.monitor.report("guiding", 0);
   GatherSettings of_records = gather_settings(world.options, world.accel->bounds());
   of_records.rays = std::min(of_records.rays, kRaysOfRecord);

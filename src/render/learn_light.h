@@ -27,6 +27,9 @@ struct LearnedLight {
   bool is_valid(const World& world) const;
 };
 
+/// Whether a picture of that many camera paths has enough of them to learn.
+bool may_learn(const World& world, double paths);
+
 /// Learns at the points of coarse records which lights reach them and from where light comes. A
 /// part is empty if the picture has so few paths that learning costs more than it saves, if pilot
 /// paths show no gain, or if cancelled.

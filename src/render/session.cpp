@@ -214,13 +214,35 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
 
 IntegratorPreparation RenderSession::preparation(const ProgressMonitor& monitor,
                                                  std::function<void()> after_pass) {
+  return {maps_window_,     window_of(world_, std::nullopt),
+          expected_paths(), seed_,
+          map_files_,       diagnostics_,
+          monitor,          std::move(after_pass),
+          rays_of_maps_};
+}
+
+double RenderSession::expected_paths() const {
   const Window picture = window_of(world_, std::nullopt);
   const double pixels = double(picture.width()) * double(picture.height());
   // The time limit does not count: a render that continues may have another one.
   const bool fixed = !(budget_.noise > 0) && budget_.max_samples <= kMostExpected;
-  const double samples = fixed ? budget_.max_samples : kUsualSamples;
-  return {maps_window_, picture, pixels * samples,      seed_,        map_files_,
-          diagnostics_, monitor, std::move(after_pass), rays_of_maps_};
+  return pixels * (fixed ? budget_.max_samples : kUsualSamples);
+}
+
+RenderSession::Preparation RenderSession::take_preparation() {
+  return {std::move(integrator_), maps_window_, window_of(world_, std::nullopt),
+          expected_paths(),       seed_,        rays_of_maps_};
+}
+
+bool RenderSession::reuse(Preparation p) {
+  if (!p.integrator || p.integrator->caches_only() || p.seed != seed_ ||
+      p.paths != expected_paths() || p.picture != window_of(world_, std::nullopt) ||
+      (p.integrator->has_caches() && p.window != maps_window_))
+    return false;
+  integrator_ = std::move(p.integrator);
+  rays_of_maps_ = p.rays;
+  prepared_ = state_is_whole_ = true;
+  return true;
 }
 
 StopReason RenderSession::show_preview() {

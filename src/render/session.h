@@ -90,6 +90,23 @@ class RenderSession {
   /// Checked: Resume.* in tests/faults, SessionState.*
   void restore(CheckpointReader& in);
 
+  /// Whether run() may compute for long before the picture starts.
+  bool prepares_long() const { return !prepared_ && integrator_->prepares_long(expected_paths()); }
+  /// What a session has computed before its picture.
+  struct Preparation {
+    std::unique_ptr<Integrator> integrator;  ///< null: nothing
+    Window window, picture;
+    double paths = 0;
+    std::uint32_t seed = 0;
+    RayCounts rays;
+  };
+  /// Takes it out of a session with can_save(), which cannot be used any more.
+  Preparation take_preparation();
+  /// Takes that of another session of the same world, before the first run. Returns false, and
+  /// computes its own, if it would have computed something else.
+  /// Checked: LightCachesTest.ChangesOfTheFilmAloneKeepCaches
+  bool reuse(Preparation preparation);
+
   /// Computes what run() needs before the picture: the caches of indirect light and what paths
   /// learn. Returns false if cancelled. `share`: processes that call help_prepare() meanwhile.
   bool prepare(const Progressive::Callbacks& callbacks = {},
@@ -162,6 +179,8 @@ class RenderSession {
   FilmSample sample(int x, int y, std::uint32_t index, PathRecord& record, RayCounts& counts) const;
   IntegratorPreparation preparation(const ProgressMonitor& monitor,
                                     std::function<void()> after_pass);
+  /// Of the picture without a crop.
+  double expected_paths() const;
   void prepare_maps(const Progressive::Callbacks& callbacks, const std::atomic<bool>* cancel,
                     WorkShare* share = nullptr);
   StopReason show_preview();

@@ -84,6 +84,11 @@ struct World {
   /// PreparedPart bits: parts that reported messages, which would be listed twice if the part were
   /// prepared again.
   unsigned parts_with_messages = 0;
+  /// Number of the textures that the environment and the lights before it use, which are the first.
+  std::size_t environment_textures = SIZE_MAX;
+  /// The sampler's tables of the environment are small, or its openings are those of another
+  /// geometry or camera: see complete_light_sampler().
+  bool draft_environment = false, draft_openings = false;
   std::vector<UserBuffer> user_buffers;  ///< empty if no bound shader can write them
   scene::RenderOptions options;
   scene::Shutter shutter;

@@ -23,11 +23,16 @@ namespace {
 using json = nlohmann::json;
 using interactive::RenderLoop;
 
-/// The world of a loop, prepared.
-World& world_of(RenderLoop& loop) {
-  if (!loop.prepare()) throw RequestError("failed", "the scene cannot be rendered");
+World& world_if(RenderLoop& loop, bool prepared) {
+  if (!prepared) throw RequestError("failed", "the scene cannot be rendered");
   return *loop.scene().world();
 }
+
+/// The world of a loop, for measurements of light.
+World& world_of(RenderLoop& loop) { return world_if(loop, loop.prepare_completely()); }
+
+/// The same for rays alone.
+const World& geometry_of(RenderLoop& loop) { return world_if(loop, loop.prepare()); }
 
 /// Raster position of the lower left corner of a pixel of the full-size picture.
 Vec2 pixel_corner(const RenderLoop& loop, const World& world, const json& request) {
@@ -134,7 +139,7 @@ json Controller::shader(Loop& loop, const json& request) {
 }
 
 json Controller::pick(Loop& loop, const json& request) {
-  const World& world = world_of(loop);
+  const World& world = geometry_of(loop);
   const Spot spot = find_spot(world, pixel_corner(loop, world, request) + Vec2(.5f));
   json result = spot_json(loop.scene().scene(), spot);
   if (!spot.surface) return result;
@@ -219,7 +224,7 @@ json Controller::explain(Loop& loop, const json& request) {
 }
 
 json Controller::focus(Loop& loop, const json& request) {
-  const World& world = world_of(loop);
+  const World& world = geometry_of(loop);
   const Spot spot = find_spot(world, pixel_corner(loop, world, request) + Vec2(.5f));
   if (!spot.surface) throw RequestError("not-found", "there is no surface");
   const scene::Camera* camera =

@@ -35,6 +35,7 @@ namespace {
 
 constexpr std::size_t kMaxMessage = 64 * 1024, kMaxConnections = 32, kMaxQueued = 64u << 20;
 constexpr std::uint32_t kFramesInFlight = 2;
+constexpr const char* kPong = R"({"type":"pong"})";
 constexpr auto kTokenTime = std::chrono::seconds(5), kHeaderTime = std::chrono::seconds(10),
                kBodyTime = std::chrono::seconds(120);
 enum CloseCode : std::uint16_t {
@@ -152,6 +153,7 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
     const std::string name =
         type != message.end() && type->is_string() ? type->get<std::string>() : std::string();
     if (!authenticated_) return authenticate(name, message);
+    if (name == "ping") return queue({std::make_shared<const std::string>(kPong), false});
     if (name == "ack") {
       const auto frame = message.find("frame");
       if (frame == message.end() || !frame->is_number_unsigned()) return;

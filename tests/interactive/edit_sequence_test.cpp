@@ -91,9 +91,7 @@ const vector<vector<std::string>> kValues = {
     {"opt.trace depth=", "1 1 2"},
 };
 
-bool prepares_everything(const std::string& target) {
-  return target.starts_with("opt.") || target.starts_with("cam.focal");
-}
+bool prepares_everything(const std::string& target) { return target.starts_with("opt."); }
 
 class FullScene : public LoopTest {
  protected:
@@ -168,6 +166,31 @@ TEST_P(EditSequence, EveryPictureIsThatOfAFreshScene) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Random, EditSequence, ::testing::Range(0u, 3u));
+
+/// Reduced pictures do not wait for the tables of the environment and the search for openings.
+TEST_F(FullScene, TheLightSamplerIsADraftUntilTheFullPicture) {
+  RenderLoop live(source(), {}, {});
+  live.set_view(small_view());
+  ASSERT_TRUE(live.read());
+  finish(live);
+  const World& world = *live.scene().world();
+  const auto drafts = [&] { return std::pair(world.draft_environment, world.draft_openings); };
+  const std::map<std::string, std::pair<bool, bool>> expected = {
+      {"box_mtl.refl_gloss=.3", {false, false}},
+      {"sky.haze=5", {true, false}},
+      {"box_too.transform=1 0 0 0 0 1 0 0 0 0 1 0 .7 0 .2 1", {false, true}},
+      {"cam.focal=28", {true, true}}};
+  for (const auto& [edit, draft] : expected) {
+    live.set_edits({edit});
+    ASSERT_TRUE(live.prepare());
+    EXPECT_EQ(drafts(), draft) << edit;
+    finish(live);
+    EXPECT_EQ(drafts(), std::pair(false, false)) << edit;
+    live.set_edits({});
+    ASSERT_TRUE(live.prepare_completely());
+    EXPECT_EQ(drafts(), std::pair(false, false)) << edit;
+  }
+}
 
 /// Each edit alone and taken back, and what it prepares.
 TEST_F(FullScene, EachEditPreparesItsDependentsOnly) {

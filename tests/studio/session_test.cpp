@@ -113,6 +113,15 @@ TEST_F(StudioSessionTest, PixelsArriveReducedFirstAndAtFullSizeInTheEnd) {
   EXPECT_EQ(u16(last, 20), 320);
 }
 
+TEST_F(StudioSessionTest, PingsAreAnswered) {
+  serve();
+  auto socket = client();
+  for (int i = 0; i < 2; ++i) {
+    socket->send({{"type", "ping"}});
+    EXPECT_EQ(socket->wait_for("pong"), json({{"type", "pong"}}));
+  }
+}
+
 TEST_F(StudioSessionTest, SlowClientsGetTheNewestPictureOnly) {
   serve();
   auto socket = client();

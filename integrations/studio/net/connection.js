@@ -6,9 +6,12 @@ import {readStrip} from "./strip.js";
 
 export const PROTOCOL_VERSION = 1;
 const FIRST_DELAY_MS = 500, LARGEST_DELAY_MS = 5000;
+/** Interval of pings, and the longest time until their answers or the start of a connection. */
+const PING_MS = 3000, SILENCE_MS = 8000;
 
 /** Close codes after which a new connection is useless. */
 export const FINAL_CLOSE_CODES = new Set([4000, 4001, 4002]);
+const NO_ANSWER = 1006;
 
 /**
  * Delay before a further attempt: doubles from 0.5 s to 5 s.
@@ -56,6 +59,8 @@ export class Connection {
   #attempt = 0;
   #open = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */ #timer;
+  /** @type {ReturnType<typeof setInterval> | undefined} */ #pings;
+  #unansweredSince = 0;  // when the first ping without a later message was sent; 0 = none
   /** @type {Map<number, {resolve: (reply: any) => void, reject: (error: Error) => void}>} */
   #waiting = new Map();
 
@@ -79,8 +84,25 @@ export class Connection {
     socket.binaryType = "arraybuffer";
     this.#socket = socket;
     socket.onopen = () => this.#post({type: "hello", version: PROTOCOL_VERSION, token: this.token});
-    socket.onmessage = (event) => this.#receive(event.data);
-    socket.onclose = (event) => this.#closed(socket, event);
+    socket.onmessage = (event) => { if (socket === this.#socket) this.#receive(event.data); };
+    socket.onclose = (event) => this.#closed(socket, event.code);
+    clearInterval(this.#pings);
+    this.#unansweredSince = Date.now();
+    this.#pings = setInterval(() => this.#ping(socket), PING_MS);
+  }
+
+  /**
+   * A tunnel that lost its network, or a computer that slept, may not close the connection.
+   * @param {WebSocket} socket
+   */
+  #ping(socket) {
+    if (this.#unansweredSince && Date.now() - this.#unansweredSince > SILENCE_MS) {
+      socket.close();
+      this.#closed(socket, NO_ANSWER);
+    } else if (this.#open) {
+      this.#unansweredSince ||= Date.now();
+      this.#post({type: "ping"});
+    }
   }
 
   /** Attempts a connection at once instead of after the delay. */
@@ -127,6 +149,7 @@ export class Connection {
 
   /** @param {string | ArrayBuffer} data */
   #receive(data) {
+    if (this.#open) this.#unansweredSince = 0;
     if (typeof data !== "string") {
       const strip = readStrip(data);
       if (strip) this.listener.onStrip(strip);
@@ -141,6 +164,7 @@ export class Connection {
     if (!message || typeof message !== "object") return;
     if (message.type === "welcome") {
       this.#open = true;
+      this.#unansweredSince = 0;
       this.#attempt = 0;
       this.listener.onStatus("open", "");
     }
@@ -151,20 +175,22 @@ export class Connection {
     } else if (message.type === "error" && waiting) {
       this.#waiting.delete(message.id);
       waiting.reject(new RequestError(String(message.code), String(message.message)));
-    } else if (message.type !== "reply") {
+    } else if (message.type !== "reply" && message.type !== "pong") {
       this.listener.onMessage(message);
     }
   }
 
-  /** @param {WebSocket} socket @param {CloseEvent} event */
-  #closed(socket, event) {
+  /** @param {WebSocket} socket @param {number} code */
+  #closed(socket, code) {
     if (socket !== this.#socket) return;
+    this.#socket = null;
+    clearInterval(this.#pings);
     this.#open = false;
     for (const {reject} of this.#waiting.values())
       reject(new RequestError("offline", "The connection to the renderer ended."));
     this.#waiting.clear();
-    if (FINAL_CLOSE_CODES.has(event.code)) {
-      this.listener.onStatus("closed", String(event.code));
+    if (FINAL_CLOSE_CODES.has(code)) {
+      this.listener.onStatus("closed", String(code));
       return;
     }
     const delay = reconnectDelay(this.#attempt++);

@@ -6,6 +6,20 @@ export function numberText(v) {
   return Number.isFinite(v) ? String(Number(v.toPrecision(7))) : "0";
 }
 
+/**
+ * The most exact text of a number that fits; one digit if none does.
+ * @param {number} v @param {(text: string) => boolean} fits
+ */
+export function fittedText(v, fits) {
+  if (!Number.isFinite(v)) return "0";
+  for (let digits = 7; digits > 0; --digits) {
+    const rounded = Number(v.toPrecision(digits));
+    const text = [String(rounded), rounded.toExponential().replace("e+", "e")].find(fits);
+    if (text !== undefined) return text;
+  }
+  return v.toExponential(0).replace("e+", "e");
+}
+
 /** @param {any} value @returns {string} */
 export function valueText(value) {
   if (typeof value === "boolean") return value ? "on" : "off";

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene-linear colour: the swatch shows its sRGB encoding; the numbers are linear.
 import {hexOfLinear, linearOfHex} from "../display/srgb.js";
-import {numberText} from "../scene/edit_text.js";
 import {newGesture} from "../scene/latest.js";
 import {h, uniqueId} from "./dom.js";
 import {icon} from "./icons.js";
+import {fitNumber, showNumber} from "./number_field.js";
 
 /**
  * @param {{label: string, value: number[], doc?: string, swatch?: boolean,
@@ -27,7 +27,7 @@ export function colorField(o) {
   }));
   const swatch = h("input", {attributes: {id, type: "color", "aria-label": `${o.label}, sRGB`}});
   const show = () => {
-    inputs.forEach((input, i) => { if (document.activeElement !== input) input.value = numberText(Number(value[i].toPrecision(3))); });
+    inputs.forEach((input, i) => showNumber(input, value[i]));
     swatch.value = hexOfLinear(value);
   };
   swatch.addEventListener("input", () => {
@@ -38,6 +38,7 @@ export function colorField(o) {
     o.onInput([...value], gesture);
   });
   swatch.addEventListener("change", () => { gesture = ""; });
+  inputs.forEach((input, i) => fitNumber(input, () => value[i], show));
   show();
   const reset = o.onReset ? h("button", {class: "reset", title: `Reset ${o.label}`, attributes: {type: "button", "aria-label": `Reset ${o.label}`},
                                          on: {click: () => o.onReset?.()}}, icon("reset")) : null;

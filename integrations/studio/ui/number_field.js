@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A number: slider, number field, unit and reset. Both inputs are native, so both work by keyboard.
-import {numberText} from "../scene/edit_text.js";
+import {fittedText, numberText} from "../scene/edit_text.js";
 import {newGesture} from "../scene/latest.js";
 import {h, uniqueId} from "./dom.js";
 import {icon} from "./icons.js";
@@ -25,10 +25,51 @@ import {icon} from "./icons.js";
 const STEPS = 1000;
 const LONGEST_UNIT = 5;  // characters; longer ones are in the help text only
 
+/** Widths and fonts of number fields that are shown. @type {WeakMap<Element, {width: number, font: string, show: () => void}>} */
+const fields = new WeakMap();
+const ruler = document.createElement("canvas").getContext("2d");
+const sizes = new ResizeObserver((entries) => {
+  for (const {target, contentRect} of entries) {
+    const field = fields.get(target);
+    if (!field || !contentRect.width) continue;
+    field.width = contentRect.width;
+    const style = getComputedStyle(target);
+    field.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
+    field.show();
+  }
+});
+
 /** Range of a slider for a value without declared limits. @param {number} value */
 export function guessedRange(value) {
   const size = Math.max(1, Math.abs(value) * 2);
   return value < 0 ? [-size, size] : [0, size];
+}
+
+/**
+ * Shows a number in a narrow field, all digits in its title if they do not fit; not while it is edited.
+ * @param {HTMLInputElement} input @param {number} value
+ */
+export function showNumber(input, value) {
+  if (document.activeElement === input) return;
+  const field = fields.get(input);
+  input.value = fittedText(value, (text) => {
+    if (!field?.width || !ruler) return true;
+    ruler.font = field.font;
+    return ruler.measureText(text).width <= field.width;
+  });
+  const whole = numberText(value);
+  input.title = Number(input.value) === Number(whole) ? "" : whole;
+}
+
+/**
+ * Calls `show` when the width of a field changes. The field has all digits while it is edited; they scroll.
+ * @param {HTMLInputElement} input @param {() => number} value @param {() => void} show
+ */
+export function fitNumber(input, value, show) {
+  fields.set(input, {width: 0, font: "", show});
+  sizes.observe(input);
+  input.addEventListener("focus", () => { input.value = numberText(value()); });
+  input.addEventListener("blur", show);
 }
 
 /** @param {NumberOptions} o */
@@ -52,13 +93,14 @@ export function numberField(o) {
   if (Number.isFinite(o.min)) input.min = String(o.min);
   if (Number.isFinite(o.max)) input.max = String(o.max);
   const reset = h("button", {class: "reset", title: `Reset ${o.label}`, attributes: {type: "button", "aria-label": `Reset ${o.label}`}}, icon("reset"));
+  const shownUnit = (o.unit ?? "").length <= LONGEST_UNIT ? o.unit ?? "" : "";
   const noReset = o.reset === undefined && !o.onReset;
 
   const show = () => {
     slider.value = String(toSlider(value));
     slider.setAttribute("aria-valuetext", `${numberText(value)} ${o.unit ?? ""}`.trim());
     slider.style.setProperty("--fill", `${Math.max(0, Math.min(100, toSlider(value) / STEPS * 100))}%`);
-    if (document.activeElement !== input) input.value = numberText(value);
+    showNumber(input, value);
     if (o.reset !== undefined && !o.onReset) reset.disabled = value === o.reset;
   };
   const change = (/** @type {number} */ v) => {
@@ -82,13 +124,14 @@ export function numberField(o) {
     gesture = "";
     input.value = numberText(value);
   });
+  fitNumber(input, () => value, show);
   reset.addEventListener("click", () => {
     if (o.onReset) o.onReset();
     else if (o.reset !== undefined) { change(o.reset); gesture = ""; }
   });
   show();
   const element = h("div", {class: "field", title: o.doc ?? ""}, h("label", {text: o.label, attributes: {for: id}}), slider,
-                    h("span", {class: "number"}, input, h("span", {class: "unit", text: (o.unit ?? "").length <= LONGEST_UNIT ? o.unit ?? "" : ""})),
+                    h("span", {class: "number"}, input, h("span", {class: "unit", text: shownUnit})),
                     noReset ? null : reset);
   return {
     element, input, slider, reset,

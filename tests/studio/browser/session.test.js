@@ -259,6 +259,39 @@ withStudio("the page connects again after the connection ended, and drops late s
   await waitForSamples(page, 64);
 }, {expectErrors: true});
 
+withStudio("the page connects again after the network was lost without a word", async ({page, mock}) => {
+  const socket = mock.socket;
+  mock.silent = true;
+  await page.waitForFunction(() => document.querySelector(".banner")?.textContent.includes("No connection"), {timeout: 30000});
+  mock.silent = false;
+  await page.waitForFunction(() => document.querySelector(".banner").hidden, {timeout: 10000});
+  await waitForSamples(page, 64);
+  assert.notEqual(mock.socket, socket);
+});
+
+withStudio("long numbers fit into their fields and are complete while they are edited", async ({page, mock}) => {
+  await clickPicture(page, 80, 80);
+  await page.waitForSelector("#panel-edit .element-body .field");
+  for (const edit of ["floor.refl_gloss=0.1234567", "floor.diffuse=0.1234567 1234.567 0.00001234567"])
+    await page.evaluate((e) => window.__studio.app.session.edit(e), edit);
+  const field = (name) => page.evaluateHandle((n) => [...document.querySelectorAll(".element-body .field")].find((f) => f.querySelector("label")?.textContent === n), name);
+  const inputs = [...await (await field("refl_gloss")).$$("input[type=number]"), ...await (await field("diffuse")).$$("input[type=number]")];
+  const whole = ["0.1234567", "0.1234567", "1234.567", "0.00001234567"];
+  assert.equal(inputs.length, whole.length);
+  await until(() => mock.edits.length === 2, "edits");
+  await page.waitForFunction((e) => Number(e.title) > 1234, {}, inputs[2]);
+  for (const [i, input] of inputs.entries()) {
+    const shown = await input.evaluate((e) => ({text: e.value, title: e.title, fits: e.scrollWidth <= e.clientWidth, width: `${e.scrollWidth} of ${e.clientWidth}`}));
+    assert.ok(shown.fits, `${shown.text} has ${shown.width}`);
+    assert.ok(Math.abs(Number(shown.text) / Number(whole[i]) - 1) < 0.2, shown.text);
+    assert.equal(Number(shown.title), Number(whole[i]));
+    await input.focus();
+    assert.equal(Number(await input.evaluate((e) => e.value)), Number(whole[i]));
+  }
+  await page.focus("button");
+  assert.equal(mock.edits.length, 2, "looking changes nothing");
+});
+
 withStudio("the picture returns after the WebGL context was lost", async ({page}) => {
   const before = await readCanvas(page);
   await page.evaluate(async () => {

@@ -164,6 +164,8 @@ export class Mock {
   receive(text) {
     const m = JSON.parse(text);
     this.requests.push(m);
+    if (this.silent) return;
+    if (m.type === "ping") return this.send({type: "pong"});
     if (m.type === "ack") { this.unacknowledged = Math.max(0, this.unacknowledged - 1); return this.render(); }
     if (m.type === "cancel") return undefined;
     const answer = this.answer(m);

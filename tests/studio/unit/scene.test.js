@@ -12,12 +12,25 @@ import {reconnectDelay} from "../../../integrations/studio/net/connection.js";
 import {axialDepth, cross, dolly, dot, frameOf, length, orbit, pan, project, sub, turn, walk} from "../../../integrations/studio/scene/camera_moves.js";
 import {grouped} from "../../../integrations/studio/panels/parameter_groups.js";
 import {between, hourList, hourText, isoTime} from "../../../integrations/studio/scene/daylight.js";
-import {connectText, editTarget, editText, withoutTarget} from "../../../integrations/studio/scene/edit_text.js";
+import {connectText, editTarget, editText, fittedText, withoutTarget} from "../../../integrations/studio/scene/edit_text.js";
 import {Latest} from "../../../integrations/studio/scene/latest.js";
 import {LightMix, mixDown} from "../../../integrations/studio/scene/light_mix.js";
 import {gridAbove, gridOnSurface, verticalAxis} from "../../../integrations/studio/scene/lux_grid.js";
 import {lightEdits} from "../../../integrations/studio/scene/write_light.js";
 import {crc32, zipStored} from "../../../integrations/studio/scene/zip.js";
+
+test("numbers lose digits until they fit", () => {
+  const within = (n) => (text) => text.length <= n;
+  assert.equal(fittedText(0.1234567, within(9)), "0.1234567");
+  assert.equal(fittedText(0.1234567, within(5)), "0.123");
+  assert.equal(fittedText(1234.567, within(5)), "1235");
+  assert.equal(fittedText(0.00001234567, within(5)), "1e-5");
+  assert.equal(fittedText(-0.00001234567, within(7)), "-1.2e-5");
+  assert.equal(fittedText(123456789, within(6)), "1.23e8");
+  assert.equal(fittedText(0, within(1)), "0");
+  assert.equal(fittedText(-1234, within(1)), "-1e3");
+  assert.equal(fittedText(Number.NaN, within(5)), "0");
+});
 
 test("edits are texts of --set", () => {
   assert.equal(editText("floor.refl_gloss", 0.4), "floor.refl_gloss=0.4");
