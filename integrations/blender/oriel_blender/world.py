@@ -144,7 +144,8 @@ class WorldWriter:
         return matrix.T if mapping.vector_type == "TEXTURE" else matrix
 
     def picture(self, world, node, strength):
-        texture = self.images.texture(node.image, world.name, node.name)
+        texture = self.images.texture(node.image, world.name, node.name,
+                                      user=getattr(node, "image_user", None))
         if texture is None:
             return self.constant((1.0 * strength, 0.0, 1.0 * strength))
         look = self.look(texture, self.rotation(world, node))
