@@ -128,6 +128,9 @@ class OrielEngine(bpy.types.RenderEngine):
         camera_object = depsgraph.scene_eval.camera
         matrix = numpy.array(self.camera_model_matrix(camera_object), numpy.float64).reshape(4, 4)
         shift = {"shift_x": self.camera_shift_x(camera_object)} if view else {}
+        if not self.is_preview and passes.missing(layer):
+            self.warn(f'view layer "{layer.name}": the passes {", ".join(passes.missing(layer))} are not '
+                      "rendered")
         folder = session_folder()
         started = time.time()
         self.update_stats("", "Exporting")
@@ -276,7 +279,7 @@ class OrielEngine(bpy.types.RenderEngine):
         if factor != 1:
             combined[:, :3] *= factor
         fill(layers[0].passes, "Combined", combined, view)
-        for p in passes.wanted(layer):
+        for p in passes.wanted(layer, scene.world):
             pixels = passes.combined(picture, False)[:, :3] if p.name == "Noisy Image" \
                 else p.make(picture)
             if pixels is not None:

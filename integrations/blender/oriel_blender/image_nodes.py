@@ -5,6 +5,7 @@ import math
 import numpy
 
 from . import arithmetic, mi
+from .vectors import length, permuted
 
 
 def image(graph, node, output):
@@ -65,16 +66,6 @@ def tiled(graph, node, output, tiles, coordinate):
 
 
 # Projections -----------------------------------------------------------------------------------
-def permuted(graph, vector, order):
-    """The components of a vector in another order; None is zero."""
-    matrix = numpy.zeros((4, 4))
-    matrix[3, 3] = 1
-    for row, column in enumerate(order):
-        if column is not None:
-            matrix[row, column] = 1
-    return graph.remapped("permuted", vector, matrix)
-
-
 def box_weights(graph, normal, blend):
     """Weights of the projections along x, y and z.
 
@@ -131,10 +122,7 @@ def joined(graph, u, v):
 def sphere(graph, coordinate):
     """Longitude and latitude about the middle of the unit cube."""
     point = arithmetic.operate(graph, "MULTIPLY_ADD", coordinate, 2.0, -1.0)
-    squares = graph.add("sum", "mib_color_average", factor=3.0,
-                        input=arithmetic.operate(graph, "MULTIPLY", point, point))
-    height = arithmetic.operate(graph, "DIVIDE", graph.channel(point, 2),
-                                arithmetic.operate(graph, "SQRT", squares))
+    height = arithmetic.operate(graph, "DIVIDE", graph.channel(point, 2), length(graph, point))
     polar = arithmetic.operate(graph, "ARCCOSINE", height)
     return joined(graph, around(graph, point),
                   arithmetic.operate(graph, "MULTIPLY_ADD", polar, -1 / math.pi, 1.0))

@@ -2,7 +2,7 @@
 """Values of node sockets: constants, or shaders of the base library that compute them."""
 import numpy
 
-from . import arithmetic, image_nodes, mi, textures, world as links
+from . import arithmetic, image_nodes, mi, textures, vectors, world as links
 
 CONSTANT = object()
 
@@ -264,6 +264,9 @@ class Graph:
         name = output.identifier
         if name == "Backfacing":
             return self.add("facing", "oriel_facing", mode=4)
+        if name == "Incoming":
+            ray = self.add("ray", "mib_texture_vector", select=-10, selspace=2)
+            return self.remapped("incoming", ray, numpy.diag([-1.0, -1.0, -1.0, 1.0]))
         if name not in {"Position", "Normal", "True Normal"}:
             return None
         return self.add("world_point", "mib_texture_vector", select=-2 if "ormal" in name else -1,
@@ -341,6 +344,19 @@ class Graph:
             return self.add("mean", "mib_color_average", input=colour, factor=1.0)
         return colour
 
+    def occlusion(self, node, output):
+        """The share of the hemisphere that is free of objects within the distance."""
+        if node.inside or node.only_local or node.inputs["Normal"].is_linked:
+            self.unsupported(node, "is read as occlusion outside, by all objects and the normal of the "
+                                   "surface")
+        distance = self.scalar(self.value(node.inputs["Distance"]))
+        if isinstance(distance, mi.Connection):
+            return None
+        share = self.add("occlusion", "mib_amb_occlusion", samples=node.samples, bright=(1.0,) * 3,
+                         dark=(0.0,) * 3, spread=1.0, max_distance=distance, falloff=0.0)
+        return share if output.identifier == "AO" else \
+            self.product(share, self.colour(self.value(node.inputs["Color"])))
+
     def rgb_constant(self, node, output):
         return self.constant(node.outputs[0])
 
@@ -381,6 +397,7 @@ def mapping_matrix(node, get):
 
 TRANSLATORS = {
     **arithmetic.TRANSLATORS, **textures.TRANSLATORS, **image_nodes.TRANSLATORS,
+    **vectors.TRANSLATORS, "AMBIENT_OCCLUSION": Graph.occlusion,
     "TEX_CHECKER": Graph.checker,
     "VERTEX_COLOR": Graph.vertex_colour, "ATTRIBUTE": Graph.vertex_colour,
     "OBJECT_INFO": Graph.object_info, "LIGHT_PATH": Graph.light_path,
