@@ -123,11 +123,11 @@ def bevel():
     lit_scene()
     material, tree, node = support.node_material("Cube")
     bevelled = tree.nodes.new("ShaderNodeBevel")
-    bevelled.samples, bevelled.inputs["Radius"].default_value = 16, .15
+    bevelled.samples, bevelled.inputs["Radius"].default_value = 16, .3
     tree.links.new(bevelled.outputs[0], node.inputs["Normal"])
     bpy.ops.mesh.primitive_cube_add(size=1.6, rotation=(0, 0, .5))
     bpy.context.object.data.materials.append(material)
-    compare("bevel", .02)
+    compare("bevel", .004)
 
 
 def anisotropic():

@@ -5,6 +5,7 @@ import os
 import bpy
 
 from . import native, versions
+from .materials import ROUNDED
 
 NATIVE_OUTPUT = "Oriel Output"
 MATERIALS = {"mia_material", "mia_material_x", "mia_material_x_passes"}
@@ -139,7 +140,7 @@ class MaterialReader:
             radius = call["parameters"].get("radius")
             if call["type"] == "mia_roundcorners" and isinstance(radius, (int, float)):
                 bevel = tree.nodes.new("ShaderNodeBevel")
-                bevel.inputs["Radius"].default_value = radius
+                bevel.inputs["Radius"].default_value = radius / ROUNDED
                 bevel.location = (node.location.x - 200, node.location.y - 500)
                 tree.links.new(bevel.outputs[0], node.inputs["Normal"])
             else:

@@ -6,6 +6,9 @@ from . import (arithmetic, closures, layers, mi, microfacets, nodes, variants, v
                world as links)
 from .surface import Surface, f0_of_ior, gloss_of_roughness, single_scattering
 
+ROUNDED = 0.4  # share of the radius of Bevel that is rounded: the nearest to Cycles, on cubes
+
+
 def retro_reflective(graph, colour, roughness):
     """The Lambertian colour with the directional albedo of the diffuse lobe of Principled until
     3.6."""
@@ -201,9 +204,9 @@ class MaterialWriter:
         below = {}
         if node.inputs["Normal"].is_linked:
             self.bumped(graph, node, below)
+        radius = graph.product(graph.scalar(graph.value(node.inputs["Radius"])), ROUNDED)
         parameters["overall_bump"] = graph.add(
-            "bevel", "mia_roundcorners", radius=graph.scalar(graph.value(node.inputs["Radius"])),
-            allow_different_materials=True, bump_mode=5,
+            "bevel", "mia_roundcorners", radius=radius, allow_different_materials=True, bump_mode=5,
             bump_vector=below.get("overall_bump", (0.0, 0.0, 0.0)))
         parameters["bump_mode"] = 5
 
