@@ -4,7 +4,7 @@ import os
 
 import bpy
 
-from . import native, versions
+from . import import_coordinates, native, versions
 from .materials import ROUNDED
 
 NATIVE_OUTPUT = "Oriel Output"
@@ -190,7 +190,7 @@ class MaterialReader:
             set_value(node, (*value[:3], 1.0), *names)
 
     def link_image(self, material, tree, node, value, *names):
-        image = self.image_behind(value)
+        image, look = self.image_behind(value)
         if image is None:
             self.report(f'material "{material.name}": "{names[0]}" is computed by a shader that has '
                         "no equivalent; it is kept in native nodes only")
@@ -198,6 +198,7 @@ class MaterialReader:
         source = tree.nodes.new("ShaderNodeTexImage")
         source.image = image
         source.location = (node.location.x - 320, node.location.y)
+        import_coordinates.link(self, material, tree, source, look)
         tree.links.new(source.outputs["Alpha" if self.reads_alpha(value) else "Color"],
                        find_socket(node, names))
 
@@ -207,20 +208,21 @@ class MaterialReader:
         return call is not None and call["type"] == "mib_color_alpha"
 
     def image_behind(self, value, depth=0):
-        """The image that a connection reads, through shaders that modify colours."""
+        """The image that a connection reads, through shaders that modify colours, and the call that
+        reads it."""
         if depth > 20 or not isinstance(value, dict) or "shader" not in value:
-            return None
+            return None, None
         call = self.dump.shader(value["shader"])
         if call is None:
-            return None
+            return None, None
         texture = call["parameters"].get("tex")
         if isinstance(texture, str):
-            return self.image(texture)
+            return self.image(texture), call
         for name in FOLLOWED.get(call["type"], ()):
             found = self.image_behind(call["parameters"].get(name), depth + 1)
-            if found is not None:
+            if found[0] is not None:
                 return found
-        return None
+        return None, None
 
     def image(self, name):
         if name not in self._images:
