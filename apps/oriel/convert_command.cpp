@@ -97,6 +97,11 @@ void add_shared(CLI::App& command, ConvertArguments& a) {
       ->check(CLI::ExistingFile);
   command.add_option("--sky-rotation", a.sky_rotation,
                      "Rotation of --sky about the vertical in degrees (default 0)");
+  command
+      .add_option("-I,--include", a.include_paths,
+                  "Search folder for include files of a scene; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("DIR");
   command.add_flag("-q,--quiet", a.quiet, "Only warnings and errors");
   command.add_flag("--force", a.force,
                    "Replace a .mi file that was not written by quick or convert, or was edited");

@@ -53,10 +53,12 @@ bool is_glb(const fs::path& path) { return path.extension() == ".glb"; }
 bool is_dump(const fs::path& path) { return path.extension() == ".json"; }
 
 /// Inputs:  motion: gets the placements of all frames; may be null.
-scene::Scene read_mi(const std::string& path, const TrustArguments& trust, SceneMotion* motion,
+scene::Scene read_mi(const std::string& path, const TrustArguments& trust,
+                     const std::vector<std::string>& include_paths, SceneMotion* motion,
                      Diagnostics& diagnostics) {
   SceneArguments arguments;
   arguments.path = path;
+  arguments.include_paths = include_paths;
   arguments.trust = trust;
   mi::Reader reader(path, read_options(arguments, builtin_shaders()), diagnostics);
   if (!reader.opened()) throw UserError(fmt::format("cannot read '{}'", path));
@@ -91,7 +93,8 @@ class Conversion {
       throw UserError(fmt::format("cannot write '{}': there is no folder '{}'", to_, folder));
     check_scene_target(to_, a_.force);
     if (is_mi(a_.model)) {
-      scene_ = read_mi(a_.model, a_.trust, is_dump(to_) ? &motion_ : nullptr, diagnostics_);
+      scene_ = read_mi(a_.model, a_.trust, a_.include_paths, is_dump(to_) ? &motion_ : nullptr,
+                       diagnostics_);
       write();
       return;
     }
@@ -148,7 +151,7 @@ class Conversion {
 
   /// As it will be read: pictures are found from where the scene is.
   float metered(float f_number) {
-    scene::Scene written = read_mi(to_, trust_of_result(a_), nullptr, diagnostics_);
+    scene::Scene written = read_mi(to_, trust_of_result(a_), {}, nullptr, diagnostics_);
     return metered_shutter(written, f_number) / kMiddleGrey;
   }
 

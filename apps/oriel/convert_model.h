@@ -14,7 +14,8 @@ namespace oriel::app {
 /// What the user asked for.
 struct ConvertArguments {
   std::string model, output, size, up;
-  std::vector<float> sun;  ///< azimuth and elevation, degrees; or empty
+  std::vector<std::string> include_paths;  ///< for scenes
+  std::vector<float> sun;                  ///< azimuth and elevation, degrees; or empty
   std::optional<float> emission_scale;
   std::optional<float> animation_time;  ///< seconds
   std::string sky;                      ///< picture of the environment; empty: none

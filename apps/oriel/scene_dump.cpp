@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "geom/tessellate.h"
@@ -16,6 +17,7 @@
 #include "scene/asset_path.h"
 #include "scene/element_settings.h"
 #include "scene/hierarchy.h"
+#include "scene/render_options.h"
 #include "scene_json.h"
 #include "scene_motion.h"
 
@@ -53,6 +55,7 @@ class Dump {
     if (!scene_.renders.empty())
       root_["render"] = {{"camera", scene_.renders.back().camera},
                          {"frames", scene_.renders.size()}};
+    add_gamma();
     if (!motion_.cameras().empty()) root_["render"]["cameras"] = motion_.cameras();
     if (motion_.truncated()) left_out_.insert("changes of elements of many frames");
     for (const std::string& kind : left_out_)
@@ -77,6 +80,14 @@ class Dump {
     return values;
   }
 
+  /// The gamma by which colour textures of eight bits are decoded.
+  void add_gamma() {
+    if (scene_.renders.empty()) return;
+    Diagnostics unheard;
+    if (const auto* block = scene_.get<scene::Options>(scene_.renders.back().options))
+      root_["render"]["gamma"] = scene::interpret_options(*block, unheard).gamma;
+  }
+
   void add_leaf(const scene::Leaf& leaf) {
     json placed = {{"name", leaf.instance().name}, {"matrix", matrix_json(leaf.local_to_world)}};
     add_motion(leaf.instance().name, placed);
@@ -86,6 +97,7 @@ class Dump {
       placed["element"] = object->name;
       if (leaf.material_source) placed["materials"] = leaf.material_source->materials;
       if (leaf.material_override) placed["override"] = true;
+      add_visibility(leaf.flags, placed);
     } else if (const auto* camera = leaf.camera()) {
       placed["kind"] = "camera";
       placed["element"] = camera->name;
@@ -97,6 +109,17 @@ class Dump {
       return;
     }
     root_["instances"].push_back(std::move(placed));
+  }
+
+  /// Names the kinds of rays that do not see the object.
+  static void add_visibility(const scene::ResolvedFlags& flags, json& placed) {
+    const std::pair<const char*, bool> kinds[] = {{"camera", flags.visible},
+                                                  {"shadow", flags.casts_shadow},
+                                                  {"reflection", flags.reflection.seen},
+                                                  {"refraction", flags.refraction.seen},
+                                                  {"finalgather", flags.finalgather.seen}};
+    for (const auto& [name, seen] : kinds)
+      if (!seen) placed["hidden_from"].push_back(name);
   }
 
   /// Whether the object has triangles; it is written once.

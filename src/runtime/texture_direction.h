@@ -14,4 +14,10 @@ namespace oriel {
 /// Checked: TextureDirection.*
 Vec3 texture_direction(const ShadingPoint& point, int space);
 
+/// The derivatives by both coordinates of a texture space, as texture_direction().
+struct TextureDirections {
+  Vec3 by_u{0}, by_v{0};
+};
+TextureDirections texture_directions(const ShadingPoint& point, int space);
+
 }  // namespace oriel

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -12,6 +13,18 @@
 
 namespace oriel::sampling {
 namespace hashed_noise_test {
+
+// White noise of Blender 3.4 at these places, rendered by Cycles.
+TEST(LatticeHash, ColorsAreThoseOfBlender) {
+  const float x = .31f * 5, y = .62f * 5, z = .17f * 5;
+  const float solid[] = {x, y, z}, all[] = {x, y, z, 2};
+  const std::array<float, 3> three = {.582039f, .806313f, .530507f},
+                             four = {.530507f, .868046f, .216488f};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(position_color(solid)[i], three[i], 1e-6f);
+    EXPECT_NEAR(position_color(all)[i], four[i], 1e-6f);
+  }
+}
 
 TEST(LatticeHash, DiffersByEveryBitAndByTheNumberOfWords) {
   const std::uint32_t key[] = {7, 7, 7, 7};

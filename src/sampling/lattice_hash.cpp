@@ -66,4 +66,20 @@ float position_hash(std::span<const float> numbers) {
   return static_cast<float>(lattice_hash({words.data(), count})) / 4294967295.0f;
 }
 
+std::array<float, 3> position_color(std::span<const float> numbers) {
+  const float first = position_hash(numbers);
+  if (numbers.size() >= 4) {
+    const float x = numbers[0], y = numbers[1], z = numbers[2], w = numbers[3];
+    const float second[] = {z, x, w, y}, third[] = {w, z, y, x};
+    return {first, position_hash(second), position_hash(third)};
+  }
+  std::array<float, 4> key{};
+  std::copy(numbers.begin(), numbers.end(), key.begin());
+  const auto with = [&](float last) {
+    key[numbers.size()] = last;
+    return position_hash({key.data(), numbers.size() + 1});
+  };
+  return {first, with(1), with(2)};
+}
+
 }  // namespace oriel::sampling

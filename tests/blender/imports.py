@@ -13,7 +13,7 @@ import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import support  # noqa: E402
-from oriel_blender import dump, engine, importer, meshes, program, versions  # noqa: E402
+from oriel_blender import dump, engine, exr, importer, meshes, program, versions  # noqa: E402
 
 
 def build():
@@ -258,6 +258,78 @@ def values_over_frames():
                   "what does not change has no key frames")
 
 
+TEXTURED = """
+$include "base.mi"
+$include "architectural.mi"
+options "o" object space samples 0 2 filter box 1 1 trace on shadow segments "indirect" "path"
+end options
+color texture "picture" "picture.png"
+shader "place" "mib_texture_vector" ("select" 0)
+shader "second" "mib_texture_vector" ("select" 1)
+shader "smaller" "mib_texture_remap" ("input" = "place",
+  "transform" 2 0 0 0 0 3 0 0 0 0 1 0 .25 0 0 1, "torus_x" on, "torus_y" on)
+shader "colours" "mib_texture_lookup" ("tex" "picture", "coord" = "smaller")
+shader "others" "mib_texture_lookup" ("tex" "picture", "coord" = "second")
+shader "whole" "mib_texture_lookup" ("tex" "picture", "coord" = "place")
+shader "alpha" "mib_color_alpha" ("input" = "whole", "factor" 1)
+material "a" "mia_material_x" ("diffuse" = "colours", "reflectivity" 0) end material
+material "b" "mia_material_x" ("diffuse" = "others", "reflectivity" 0) end material
+shader "leaf" "mia_material_x" ("diffuse" .8 .4 .2, "reflectivity" 0, "cutout_opacity" = "alpha")
+material "c" = "leaf" shadow = "leaf" end material
+object "square" visible on shadow on trace on tagged on group
+  -1 -1 0 1 -1 0 1 1 0 -1 1 0  0 0 0 1 0 0 1 1 0 0 1 0  0 0 0 0 1 0 1 1 0 1 0 0
+  v 0 t 4 t 8 v 1 t 5 t 9 v 2 t 6 t 10 v 3 t 7 t 11 p 0 0 1 2 3 end group end object
+light "sun" "mib_light_infinite" ("color" 1 1 1, "shadow" on) direction 0 0 -1 end light
+instance "sun_i" "sun" end instance
+instance "a_i" "square" material ["a"] transform 1 0 0 0 0 1 0 0 0 0 1 0 2.1 0 0 1 end instance
+instance "b_i" "square" material ["b"] end instance
+instance "c_i" "square" material ["c"] transform 1 0 0 0 0 1 0 0 0 0 1 0 -2.1 0 0 1 end instance
+instance "above" "square" material ["a"] visible off shadow 4
+  transform 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -1 1 end instance
+camera "cam" focal infinity aperture 6.4 aspect 3 resolution 96 32 end camera
+instance "view" "cam" transform 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1 end instance
+instgroup "root" "sun_i" "a_i" "b_i" "c_i" "above" "view" end instgroup
+render "root" "view" "o"
+"""
+
+
+def textured():
+    """Textures by native nodes: maps by number, transforms, alpha, and objects that rays do not see."""
+    support.empty_scene(8, 8)
+    v, u = (numpy.mgrid[0:32, 0:32] + .5) / 32
+    pixels = numpy.stack([u, v, .3 + 0 * u, (u > .5) * 1.0], axis=-1).astype(numpy.float32)
+    image = bpy.data.images.new("picture", 32, 32, alpha=True)
+    image.pixels.foreach_set(pixels.ravel())
+    image.filepath_raw, image.file_format = str(support.FOLDER / "picture.png"), "PNG"
+    image.save()
+    scene = imported("textured.mi", TEXTURED)
+    scene.cycles.pixel_filter_type, scene.view_settings.view_transform = "BOX", "Raw"
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    ours, theirs = (support.render(e, 64, "textured")[..., :3] for e in ("ORIEL", "CYCLES"))
+    target = support.FOLDER / "direct.exr"
+    subprocess.run([program.find(), "render", str(support.FOLDER / "textured.mi"), "-o", str(target),
+                    "--samples", "64", "--linear", "--exr", "float,none", "-q"], check=True)
+    direct = exr.read(target).stack(list("RGB")).reshape(ours.shape)
+    support.save_png(numpy.concatenate([ours, theirs, direct], axis=0)[..., [0, 1, 2, 2]],
+                     support.FOLDER / "textured.png")
+    error = numpy.abs(ours - direct).mean() / direct.mean()
+    support.check(error < .01 and direct.mean() > .05, f"native nodes differ by {error:.2%}")
+    error = numpy.abs(theirs - direct).mean() / direct.mean()
+    support.check(error < .03, f"Principled materials in Cycles differ by {error:.2%}")
+
+
+def includes():
+    """Missing includes are searched in the folders above the scene."""
+    folder = support.FOLDER / "project" / "shots"
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder.parent / "parts").mkdir(exist_ok=True)
+    (folder.parent / "parts" / "all.mi").write_text(MOVING)
+    (folder / "shot.mi").write_text('$include "parts/all.mi"\n')
+    support.empty_scene(8, 8)
+    bpy.ops.import_scene.oriel_mi(filepath=str(folder / "shot.mi"), up="Z")
+    support.check("plate" in bpy.data.objects, f"objects {[o.name for o in bpy.data.objects]}")
+
+
 def gltf():
     """Blender's own importer reads the glTF file of a scene: geometry, camera and lights are equal."""
     import addon_utils
@@ -326,4 +398,5 @@ def damaged():
             support.check(True, f"{root} is refused")
 
 
-support.run([round_trip, scenes, many_files, frames, values_over_frames, gltf, damaged])
+support.run([round_trip, scenes, many_files, frames, values_over_frames, textured, includes,
+             gltf, damaged])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Data of Blender 3.4 and of 4.0 to 4.5 without Blender, by the documented API of each version.
+"""Data of Blender 3.4 and of 4.0 to 5.0 without Blender, by the documented API of each version.
 
 Objects have only the members that their version has, so that code that reads a removed member fails.
 """
@@ -9,7 +9,7 @@ import types
 
 import numpy
 
-RELEASES = [(3, 4, 1), (4, 0, 0), (4, 1, 0), (4, 2, 0), (4, 3, 0), (4, 4, 0), (4, 5, 0)]
+RELEASES = [(3, 4, 1), (4, 0, 0), (4, 1, 0), (4, 2, 0), (4, 3, 0), (4, 4, 0), (4, 5, 0), (5, 0, 0)]
 
 
 class Data(types.SimpleNamespace):

@@ -178,6 +178,13 @@ def numbers():
         into(f"ramp {kind}", ramp)
     into("range", lambda t: add(t, "MapRange", {
         "Value": grey(t), "From Min": .2, "From Max": .8, "To Min": .1, "To Max": .7}).outputs[0])
+    for kind in ("STEPPED", "SMOOTHSTEP", "SMOOTHERSTEP"):
+        into(f"range {kind}", lambda t, k=kind: add(t, "MapRange", {
+            "Value": grey(t), "From Min": .2, "From Max": .8, "To Min": .1, "To Max": .7},
+            interpolation_type=k).outputs[0])
+    into("range of vectors", lambda t: add(t, "MapRange", {
+        6: coordinate(t), 7: (.2, 0, 0), 8: (.7, 1, 1), 9: (0, .3, 0), 10: (1, .6, 1)},
+        data_type="FLOAT_VECTOR").outputs[1])
     into("clamp", lambda t: add(t, "Clamp", {0: grey(t), "Min": .3, "Max": .6}).outputs[0])
 
 
@@ -185,10 +192,34 @@ def coordinates():
     into("mapping", lambda t: image_of(t, vector=add(t, "Mapping", {
         0: coordinate(t), "Rotation": (0, 0, .5), "Scale": (.5, .7, 1), "Location": (.1, .2, 0)},
         vector_type="TEXTURE").outputs[0]))
+    for kind in ("POINT", "TEXTURE", "VECTOR"):
+        into(f"mapping {kind} by links", lambda t, k=kind: image_of(t, vector=add(t, "Mapping", {
+            0: coordinate(t), "Rotation": (0, 0, .3), "Scale": add(t, "Math", {0: 1.3, 1: .4}).outputs[0],
+            "Location": add(t, "TexWave", {0: coordinate(t), "Scale": .3}).outputs[0]},
+            vector_type=k).outputs[0]))
+
+    def projected(tree, kind):
+        node = add(tree, "TexImage", image=picture(), projection=kind, projection_blend=.3)
+        put(tree, node.inputs[0], add(tree, "Mapping", {
+            0: coordinate(tree), "Rotation": (.3, .5, .2), "Location": (.1, .2, .3)}).outputs[0])
+        return node.outputs[0]
+    for kind in ("BOX", "SPHERE", "TUBE"):
+        into(f"projection {kind}", lambda t, k=kind: projected(t, k))
+    into("image sequence", sequence)
     for name in ("Generated", "Object"):
         into(f"{name} coordinates", lambda t, n=name: image_of(t, vector=coordinate(t, n)))
     into("vector math", lambda t: image_of(t, vector=add(t, "VectorMath", {
         0: coordinate(t), 1: (.5, 1, 1)}, operation="MULTIPLY").outputs[0]))
+    for operation in ("NORMALIZE", "CROSS_PRODUCT", "REFLECT", "PROJECT", "LENGTH"):
+        into(f"vector {operation}", lambda t, o=operation: add(t, "VectorMath", {
+            0: coordinate(t), 1: (-.3, .5, .9)}, operation=o).outputs[o == "LENGTH"])
+    for kind in ("AXIS_ANGLE", "Z_AXIS", "EULER_XYZ"):
+        into(f"rotated {kind}", lambda t, k=kind: image_of(t, vector=add(t, "VectorRotate", {
+            "Vector": coordinate(t), "Center": (.4, .3, 0), "Axis": (.2, .1, .9), "Angle": .7,
+            "Rotation": (.2, .1, .5)}, rotation_type=k, invert=k == "EULER_XYZ").outputs[0]))
+    into("normal", lambda t: add(t, "Normal", {0: coordinate(t)}).outputs["Dot"])
+    into("incoming", lambda t: add(t, "NewGeometry").outputs["Incoming"])
+    into("occlusion", lambda t: add(t, "AmbientOcclusion", {"Color": (.2, .5, .8)}).outputs[0])
     into("coordinates as colour", coordinate)
     into("checker", lambda t: add(t, "TexChecker", {
         0: coordinate(t), "Color1": (.8, .2, .1)}).outputs[0])
@@ -203,6 +234,39 @@ def coordinates():
         0: add(t, "Fresnel", {"IOR": 1.8}).outputs[0], 1: (.1, .1, .9), 2: (.9, .1, .1)}).outputs[0])
     into("back sides", lambda t: add(t, "MixRGB", {
         0: add(t, "NewGeometry").outputs["Backfacing"], 1: (.1, .8, .1), 2: (.9, .1, .1)}).outputs[0])
+
+
+def sequence(tree):
+    """Files 1 to 4 from frame 0 on: frame 1 shows the second one, and an offset the next."""
+    for k in range(1, 5):
+        image = picture(lambda u, v, k=k: (k / 5, u, .1), name="Sequence")
+        loaded(image, f"frame_{k:03d}.png")
+    image = bpy.data.images.load(str(support.FOLDER / "frame_001.png"), check_existing=False)
+    image.source = "SEQUENCE"
+    node = add(tree, "TexImage", image=image)
+    node.image_user.frame_start, node.image_user.frame_duration = 0, 3
+    node.image_user.frame_offset, node.image_user.use_auto_refresh = 1, True
+    return node.outputs[0]
+
+
+def normal_maps():
+    def mapped(tree, surface, uv="UVMap", scale=3.0, strength=1.0, flipped=False):
+        place = add(tree, "Mapping", {0: add(tree, "UVMap", uv_map=uv).outputs[0],
+                                      "Scale": (scale, scale, 1)}).outputs[0]
+        colour = image_of(tree, lambda u, v: (.5 + .4 * numpy.sin(6.28 * u),
+                                              .5 + .2 * numpy.cos(6.28 * v), .9), "Non-Color",
+                          vector=place)
+        if flipped:
+            parts = add(tree, "SeparateColor", {0: colour}).outputs
+            colour = add(tree, "CombineColor", {0: parts[0], 1: add(tree, "Invert", {
+                "Color": parts[1]}).outputs[0], 2: parts[2]}).outputs[0]
+        node = add(tree, "NormalMap", {"Color": colour, "Strength": strength}, uv_map=uv)
+        put(tree, surface.inputs["Normal"], node.outputs[0])
+        return surface.outputs[0]
+    shown("normal map with a mapping", mapped)
+    shown("weak normal map", lambda t, s: mapped(t, s, strength=.5))
+    shown("normal map by another UV map", lambda t, s: mapped(t, s, "Turned", 1.0))
+    shown("normal map with inverted green", lambda t, s: mapped(t, s, scale=1.0, flipped=True))
 
 
 def surfaces():
@@ -236,6 +300,8 @@ def surfaces():
         t, add(t, "LayerWeight").outputs["Facing"], s.outputs[0], green(t)))
     shown("translucent", lambda t, s: mixed(t, .5, green(t), add(
         t, "BsdfTranslucent", {"Color": (.8, .6, .3)}).outputs[0]))
+
+    shown("background", lambda t, s: add(t, "Background", {"Color": (.3, .5, .2)}).outputs[0])
 
     def rough(tree, strength=.4, **settings):
         waves = add(tree, "TexWave", {0: coordinate(tree), "Scale": 1.0})
@@ -304,6 +370,8 @@ def sheet():
         square = support.add_plane(1.0, material)
         square.name, square.color, square["tone"] = name, (.3, .6, .2, 1), .37
         square.location = k % COLUMNS + .5, -(k // COLUMNS) - .5, 0
+        square.data.uv_layers.new(name="Turned").data.foreach_set("uv", [0, 0, 0, 2, 2, 2, 2, 0])
+        square.data.uv_layers.active_index = 0
         colours_of = square.data.color_attributes.new("Col", "BYTE_COLOR", "CORNER")
         weights = square.data.attributes.new("weight", "FLOAT", "POINT")
         for i in range(4):
@@ -318,7 +386,7 @@ def sheet():
 
 
 def main():
-    for list_of in (images, colours, numbers, coordinates, surfaces):
+    for list_of in (images, colours, numbers, coordinates, normal_maps, surfaces):
         list_of()
     cell(group)
     rows = sheet()

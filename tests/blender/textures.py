@@ -44,6 +44,11 @@ def brick(output="Color", inputs=None, **settings):
     return "TexBrick", settings, {"Scale": 3.0, **(inputs or {})}, output
 
 
+def white(count, output="Color"):
+    """White noise of places that square() rounds to cells."""
+    return with_dimensions(("TexWhiteNoise", {}, {"W": .37}, output), count)
+
+
 def with_dimensions(case, count):
     kind, settings, inputs, output = case
     name = {"TexVoronoi": "voronoi_dimensions", "TexMusgrave": "musgrave_dimensions"}.get(
@@ -72,6 +77,12 @@ CASES = {
     **{f"voronoi 2D {f}": with_dimensions(voronoi(f), "2D")
        for f in ("F1", "F2", "SMOOTH_F1", "DISTANCE_TO_EDGE")},
     "voronoi 2D position": with_dimensions(voronoi(output="Position"), "2D"),
+    **{f"voronoi 4D {f}": with_dimensions(voronoi(f, W=.37), "4D")
+       for f in ("F1", "F2", "SMOOTH_F1", "DISTANCE_TO_EDGE")},
+    "voronoi 4D radius": with_dimensions(voronoi("N_SPHERE_RADIUS", "Radius", W=.37), "4D"),
+    "voronoi 4D metric": with_dimensions(voronoi(metric="MANHATTAN", W=.37), "4D"),
+    "voronoi 4D position": with_dimensions(voronoi("SMOOTH_F1", "Position", W=.37), "4D"),
+    "voronoi 4D W": with_dimensions(voronoi("SMOOTH_F1", "W", W=.37), "4D"),
     **{f"bands {d}": wave("BANDS", d) for d in ("X", "Y", "DIAGONAL")},
     **{f"rings {d}": wave("RINGS", d, "TRI") for d in ("X", "Z", "SPHERICAL")},
     "wave distorted": wave("BANDS", "X", Distortion=4.0, **{
@@ -86,6 +97,14 @@ EDGES = {"brick": brick(),
                                  squash_frequency=2),
          "voronoi colour": voronoi(output="Color"),
          "voronoi 2D colour": with_dimensions(voronoi(output="Color"), "2D"),
+         "voronoi 4D colour": with_dimensions(voronoi(output="Color", W=.37), "4D"),
+         **{f"voronoi 1D {f}": with_dimensions(voronoi(f), "1D")
+            for f in ("F1", "F2", "SMOOTH_F1", "DISTANCE_TO_EDGE")},
+         "voronoi 1D radius": with_dimensions(voronoi("N_SPHERE_RADIUS", "Radius"), "1D"),
+         "voronoi 1D colour": with_dimensions(voronoi(output="Color"), "1D"),
+         "voronoi 1D W": with_dimensions(voronoi(output="W"), "1D"),
+         **{f"white noise {d}": white(d) for d in ("1D", "2D", "3D", "4D")},
+         "white noise value": white("3D", "Value"),
          "saw": wave("BANDS", "X", "SAW")}
 
 
@@ -104,8 +123,18 @@ def square(k, name, case):
     scale.operation = "MULTIPLY_ADD"
     scale.inputs[1].default_value, scale.inputs[2].default_value = (.25,) * 3, (.5,) * 3
     light = tree.nodes.new("ShaderNodeEmission")
+    at = mapping.outputs[0]
+    if kind == "TexWhiteNoise":
+        cells = tree.nodes.new("ShaderNodeVectorMath")
+        cells.operation, cells.inputs[1].default_value = "SNAP", (.17, .17, .17)
+        tree.links.new(at, cells.inputs[0])
+        at = cells.outputs[0]
+    if "1D" in settings.values():
+        split = tree.nodes.new("ShaderNodeSeparateXYZ")
+        tree.links.new(at, split.inputs[0])
+        tree.links.new(split.outputs["X"], node.inputs["W"])
     for source, target in ((place.outputs["UV"], mapping.inputs["Vector"]),
-                           (mapping.outputs[0], node.inputs["Vector"]),
+                           (at, node.inputs["Vector"]),
                            (node.outputs[output], scale.inputs[0]),
                            (scale.outputs[0], light.inputs["Color"]),
                            (light.outputs[0], tree.nodes["Material Output"].inputs["Surface"])):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The export of the extension with data of Blender 3.4 and 4.0 to 4.5, without Blender: all versions
+"""The export of the extension with data of Blender 3.4 and 4.0 to 5.0, without Blender: all versions
 write the same scene, but for the model of Principled BSDF."""
 # acceptance: Y2
 import importlib.util
@@ -138,7 +138,7 @@ class Versions(unittest.TestCase):
                             self.assertEqual(first.get(key), other.get(key), key)
                     self.assertGreater(sum(not CHANGED.search(k) for k in other), 40)
 
-    def test_4_0_to_4_5_are_equal(self):
+    def test_4_0_to_5_0_are_equal(self):
         with tempfile.TemporaryDirectory() as folder:
             texts = [exported(release, folder)[0] for release in mock.RELEASES[1:]]
             for text, release in zip(texts, mock.RELEASES[1:]):

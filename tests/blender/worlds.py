@@ -261,12 +261,18 @@ def any_world():
 
 def baked():
     """Nodes without an equivalent, after baking, look as in Cycles; before, a message names them."""
-    def cells(tree):
-        voronoi = tree.nodes.new("ShaderNodeTexVoronoi")
-        voronoi.voronoi_dimensions = "4D"
-        voronoi.inputs["Scale"].default_value = 4.0
-        return voronoi.outputs["Color"]
-    plane_with(cells)
+    def spectrum(tree):
+        gradient, length, colour = (tree.nodes.new("ShaderNode" + kind) for kind in (
+            "TexGradient", "Math", "Wavelength"))
+        place = tree.nodes.new("ShaderNodeTexCoord")
+        length.operation, length.inputs[1].default_value = "MULTIPLY_ADD", 300
+        length.inputs[2].default_value = 400
+        for source, target in ((place.outputs["UV"], gradient.inputs[0]),
+                               (gradient.outputs["Fac"], length.inputs[0]),
+                               (length.outputs[0], colour.inputs[0])):
+            tree.links.new(source, target)
+        return colour.outputs["Color"]
+    plane_with(spectrum)
     tree = bpy.data.materials["Textured"].node_tree
     ob = next(o for o in bpy.data.objects if o.type == "MESH")
     for other in bpy.context.selected_objects:
@@ -277,10 +283,10 @@ def baked():
     support.check(bpy.ops.object.oriel_bake(size=256) == {"FINISHED"}, "it is baked")
     after = len(tree.nodes) - 1, len(bpy.data.objects), len(bpy.data.meshes)
     support.check(count == after, f"only the image is added: {count}, {after}")
-    kinds = {link.to_node.type for node in tree.nodes if node.type == "TEX_VORONOI"
+    kinds = {link.to_node.type for node in tree.nodes if node.type == "WAVELENGTH"
              for link in node.outputs["Color"].links}
     support.check(kinds == {"BSDF_DIFFUSE"}, f"the nodes stay: {kinds}")
-    same("baked voronoi", .03, 64)
+    same("baked spectrum", .03, 64)
 
 
 def place():

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // oriel convert of a scene to JSON and arrays.
 #include <cstring>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "support/program.h"
@@ -45,7 +46,7 @@ object "square" visible on shadow on trace on tagged on group
   v 0 n 4 v 1 n 4 v 2 n 4 v 3 n 4
   p 1 0 1 2 3 p 0 0 2 3 end group end object
 instance "a" "square" material [ "red", "blue" ] end instance
-instance "b" "square" material [ "red" ]
+instance "b" "square" material [ "red" ] shadow 4 reflection 4
   transform 1 0 0 0 0 1 0 0 0 0 1 0 -4 0 0 1 end instance
 camera "c" focal 50 aperture 36 aspect 1.5 resolution 60 40 offset 3 -2 end camera
 instance "c_inst" "c" transform 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -9 1 end instance
@@ -76,6 +77,19 @@ TEST_F(SceneDumpTest, ContainsGeometryOnceAndEveryPlacement) {
   ASSERT_EQ(root["instances"].size(), 4u);
   EXPECT_EQ(root["instances"][0]["materials"], json({"red", "blue"}));
   EXPECT_EQ(root["instances"][1]["matrix"][12], 4) << "from local to world space";
+  EXPECT_FALSE(root["instances"][0].contains("hidden_from"));
+  EXPECT_EQ(root["render"]["gamma"], 1);
+  EXPECT_EQ(root["instances"][1]["hidden_from"], json({"shadow", "reflection"}));
+}
+
+TEST_F(SceneDumpTest, FindsIncludesInGivenFolders) {
+  ASSERT_TRUE(std::filesystem::create_directory(file("parts")));
+  write("parts/square.mi", kScene);
+  write("scene.mi", "$include \"square.mi\"\n");
+  const RunResult r = run({"convert", "scene.mi", "scene.json", "-I", "parts"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const json root = json::parse(text_of(file("scene.json")), nullptr, false);
+  EXPECT_EQ(root["objects"].size(), 1u);
 }
 
 TEST_F(SceneDumpTest, KeepsCamerasLightsAndShaderCalls) {

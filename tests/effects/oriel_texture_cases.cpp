@@ -46,7 +46,8 @@ std::vector<TextureRow> noise_rows() {
         {"1", Rgb(1.2903f)},
         {"2", Rgb(1.5477f)},
         {"3", Rgb(.51941f)},
-        {"4", Rgb(1.7909f)}}},
+        {"4", Rgb(1.7909f)},
+        {"5", Rgb(.582039f)}}},
       {"dimensions",
        "coord .31 .62 .17, w .4",
        {{"1", Rgb(.5f)}, {"2", Rgb(.45933f)}, {"3", Rgb(.5814f)}, {"4", Rgb(.38954f)}}},
@@ -111,6 +112,7 @@ std::vector<TextureRow> magic_rows() {
 std::vector<TextureRow> voronoi_rows() {
   return {
       {"coord", "", {{"0.31 0.62 0.17", Rgb(.46368f)}, {"-0.7 0.2 0.9", Rgb(.47056f)}}},
+      {"w", "coord .31 .62 .17, dimensions 4", {{"0", Rgb(.814094f)}, {".37", Rgb(.458623f)}}},
       {"scale", "coord .31 .62 .17", {{"5", Rgb(.46368f)}, {"2.3", Rgb(.34104f)}}},
       {"randomness", "coord .31 .62 .17", {{"1", Rgb(.46368f)}, {".4", Rgb(.67052f)}}},
       {"smoothness",
@@ -129,12 +131,15 @@ std::vector<TextureRow> voronoi_rows() {
       {"metric",
        "coord .31 .62 .17",
        {{"0", Rgb(.46368f)}, {"1", Rgb(.79326f)}, {"2", Rgb(.31601f)}, {"3", Rgb(2.3648f)}}},
-      {"dimensions", "coord .31 .62 .17", {{"2", Rgb(.12755f)}, {"3", Rgb(.46368f)}}},
+      {"dimensions",
+       "coord .31 .62 .17, w .4",
+       {{"1", Rgb(.85164f)}, {"2", Rgb(.127549f)}, {"3", Rgb(.46368f)}, {"4", Rgb(.363918f)}}},
       {"output",
-       "coord .31 .62 .17",
-       {{"0", Rgb(.46368f)},
-        {"1", Rgb(.23399f, .31357f, .58633f)},
-        {"2", Rgb(.2468f, .66271f, .11727f)}}},
+       "coord .31 .62 .17, w .4, dimensions 4",
+       {{"0", Rgb(.363918f)},
+        {"1", Rgb(.586331f, .378576f, .975053f)},
+        {"2", Rgb(.317266f, .623629f, .107811f)},
+        {"3", Rgb(.436932f)}}},
   };
 }
 

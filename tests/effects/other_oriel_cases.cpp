@@ -42,6 +42,11 @@ void add_normal_map(Cases& all) {
                        {".5", lit(tilted(.5f))},
                        {"1", lit(tilted())},
                        {"-2", lit(tilted(-2))}}));
+  all.push_back(gives(name + "color", before_lambert, "",
+                      {{"0.8 0.6 1", lit(tilted())}, {"0.5 0.5 1", lit(Vec3(0, 0, 1))}}));
+  // The square has no second space, so that its normal is unchanged.
+  all.push_back(gives(name + "space", before_lambert, "tex \"tilted\"",
+                      {{"0", lit(tilted())}, {"1", lit(Vec3(0, 0, 1))}}));
   // The normal itself, what turns the old one into it, or nothing where it was turned at once.
   all.push_back(shows(name + "bump_mode", [] {
     const auto given = [](int mode) {

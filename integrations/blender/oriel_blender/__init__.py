@@ -10,9 +10,9 @@ bl_info = {
     "category": "Render",
 }
 
-from . import bake, engine, importer, native, panels, preferences, properties, sun_position
+from . import bake, data_panels, engine, importer, native, panels, preferences, properties, sun_position
 
-MODULES = (preferences, properties, native, engine, panels, sun_position, bake, importer)
+MODULES = (preferences, properties, native, engine, panels, data_panels, sun_position, bake, importer)
 
 
 def register():

@@ -24,10 +24,6 @@ BLENDS = {name: number for number, name in enumerate((
 # Operations and modes whose results can be negative.
 SIGNED = {"SUBTRACT", "MULTIPLY_ADD", "SINE", "COSINE", "TANGENT", "LOGARITHM", "WRAP", "FLOOR",
           "MODULO", "SMOOTH_MIN", "LINEAR_LIGHT"}
-# Operations of the Vector Math node that work on each component.
-COMPONENTS = {"ADD", "SUBTRACT", "MULTIPLY", "DIVIDE", "MULTIPLY_ADD", "ABSOLUTE", "MINIMUM",
-              "MAXIMUM", "FLOOR", "CEIL", "FRACTION", "MODULO", "WRAP", "SNAP", "SINE", "COSINE",
-              "TANGENT"}
 
 
 def wrapped(a, b, c):
@@ -236,27 +232,6 @@ def math_node(graph, node, output):
     return operate(graph, node.operation, *values[:3], clamp=node.use_clamp)
 
 
-def vector_math(graph, node, output):
-    """Vector Math, on each component; lengths and products of vectors are numbers."""
-    values = [graph.value(s) for s in node.inputs if s.type == "VECTOR"]
-    values += [0.0] * (3 - len(values))
-    operation = {"FRACTION": "FRACT"}.get(node.operation, node.operation)
-    if node.operation in COMPONENTS:
-        return operate(graph, operation, *values[:3])
-    if node.operation == "SCALE":
-        return operate(graph, "MULTIPLY", values[0], graph.value(node.inputs["Scale"]))
-    if node.operation in {"DOT_PRODUCT", "LENGTH", "DISTANCE"}:
-        a, b = values[:2]
-        if node.operation == "DISTANCE":
-            a = operate(graph, "SUBTRACT", a, b)
-        if node.operation != "DOT_PRODUCT":
-            b = a
-        total = graph.add("sum", "mib_color_average", factor=3.0,
-                          input=operate(graph, "MULTIPLY", a, b))
-        return total if node.operation == "DOT_PRODUCT" else operate(graph, "SQRT", total)
-    return None
-
-
 def gamma(graph, node, output):
     value, power = graph.value(node.inputs["Color"]), graph.value(node.inputs["Gamma"])
     if isinstance(value, mi.Connection) or isinstance(power, mi.Connection):
@@ -286,23 +261,6 @@ def clamp(graph, node, output):
             node.clamp_type == "RANGE" and low > high:
         low, high = high, low
     return operate(graph, "MINIMUM", operate(graph, "MAXIMUM", value, low), high)
-
-
-def map_range(graph, node, output):
-    if getattr(node, "data_type", "FLOAT") != "FLOAT" or node.interpolation_type != "LINEAR":
-        return None
-    value, *ends = (graph.scalar(graph.value(s)) for s in node.inputs[:5])
-    if any(isinstance(v, mi.Connection) for v in ends):
-        return None
-    low, high, to_low, to_high = ends
-    if low == high:
-        return to_low
-    slope = (to_high - to_low) / (high - low)
-    mapped = operate(graph, "MULTIPLY_ADD", value, slope, to_low - low * slope)
-    if not node.clamp:
-        return mapped
-    ends = sorted((to_low, to_high))
-    return operate(graph, "MINIMUM", operate(graph, "MAXIMUM", mapped, ends[0]), ends[1])
 
 
 def curves(graph, node, output):
@@ -411,8 +369,8 @@ def gradient(graph, node, output):
 
 TRANSLATORS = {
     "MIX_RGB": mix, "MIX": mix, "VALTORGB": ramp, "INVERT": invert, "MATH": math_node,
-    "VECT_MATH": vector_math, "GAMMA": gamma, "BRIGHTCONTRAST": bright_contrast,
-    "HUE_SAT": hue_saturation, "CLAMP": clamp, "MAP_RANGE": map_range, "CURVE_RGB": curves,
+    "GAMMA": gamma, "BRIGHTCONTRAST": bright_contrast,
+    "HUE_SAT": hue_saturation, "CLAMP": clamp, "CURVE_RGB": curves,
     "CURVE_FLOAT": float_curve, "COMBRGB": combine, "COMBINE_COLOR": combine, "COMBXYZ": combine,
     "SEPRGB": separate, "SEPARATE_COLOR": separate, "SEPXYZ": separate, "RGBTOBW": grey,
     "FRESNEL": fresnel, "LAYER_WEIGHT": layer_weight, "TEX_GRADIENT": gradient,

@@ -6,6 +6,9 @@ from . import arithmetic, mi
 from .surface import Surface, single_scattering
 
 
+VELVET_ROUGHNESS = 0.5
+
+
 def diffuse(writer, graph, node):
     colour = arithmetic.not_negative(graph, graph.colour(graph.value(node.inputs["Color"])))
     surface = Surface(diffuse=colour)
@@ -78,7 +81,87 @@ def emission(writer, graph, node):
     return Surface(diffuse_weight=0.0, diffuse=(0.0, 0.0, 0.0), additional_color=light)
 
 
+def uv_tangent(graph, node):
+    """Reads the directions of anisotropic highlights from the UV map of a Tangent node."""
+    found = graph.origin(node.inputs["Tangent"])
+    source = found[0] if found else None
+    if getattr(source, "type", "") == "TANGENT" and source.direction_type == "UV_MAP":
+        if source.uv_map:
+            graph.unsupported(source, "is read from the active UV map")
+    else:
+        graph.unsupported(node, "has its highlights along the active UV map, not around an axis")
+    graph.space("uv", "")
+
+
+def anisotropic(writer, graph, node):
+    """Reflections of which one half axis is (1 - amount)^2 of the other one; across the tangent until
+    negative amounts."""
+    surface = glossy(writer, graph, node)
+    amount = graph.scalar(graph.value(node.inputs["Anisotropy"]))
+    turn = graph.scalar(graph.value(node.inputs["Rotation"]))
+    if isinstance(amount, mi.Connection) or isinstance(turn, mi.Connection):
+        graph.unsupported(node, "has a linked anisotropy, which is ignored")
+        return surface
+    surface.parameters.update(
+        anisotropy=min((1 - min(abs(amount), .99)) ** -2, 10.0), anisotropy_channel=-3,
+        anisotropy_rotation=turn + (.25 if amount > 0 else 0.0))
+    uv_tangent(graph, node)
+    return surface
+
+
+def subsurface(writer, graph, node):
+    """Subsurface scattering alone, with one radius for all channels."""
+    radius = graph.constant(node.inputs["Radius"])
+    scale = graph.scalar(graph.value(node.inputs["Scale"]))
+    if isinstance(scale, mi.Connection):
+        scale = 1.0
+    surface = Surface(diffuse=(0.0, 0.0, 0.0), diffuse_weight=0.0)
+    if max(radius) - min(radius) > 1e-3 * max(radius):
+        graph.unsupported(node, "has one subsurface radius for each channel; their mean is used")
+    surface.scattered = graph.add(
+        "subsurface", "misss_fast_shader", front_sss_weight=1.0, diffuse_weight=0.0,
+        front_sss_color=graph.colour(graph.value(node.inputs["Color"])), back_sss_weight=0.0,
+        front_sss_radius=sum(radius) / 3 * scale, screen_composit=False)
+    return surface
+
+
+def velvet(writer, graph, node):
+    """Cloth by the sheen of the program above black."""
+    graph.unsupported(node, "is approximated by another model of cloth")
+    surface = Surface()
+    black = graph.add("base", "mia_material_x", diffuse_weight=0.0, reflectivity=0.0)
+    surface.shader = graph.add("velvet", "oriel_sheen", base_material=str(black),
+                               color=graph.colour(graph.value(node.inputs["Color"])),
+                               roughness=VELVET_ROUGHNESS)
+    return surface
+
+
+def coloured(writer, graph, node):
+    """A diffuse surface of the colour of a surface that the program does not have."""
+    graph.unsupported(node, "is approximated by a diffuse surface")
+    if getattr(node, "parametrization", "") == "MELANIN" and "Melanin" in node.inputs:
+        colour = hair_colour(graph.scalar(graph.constant(node.inputs["Melanin"])),
+                             graph.scalar(graph.constant(node.inputs["Melanin Redness"])))
+    else:
+        colour = graph.colour(graph.value(node.inputs["Color"]))
+    return Surface(diffuse=colour, diffuse_weight=1.0)
+
+
+def hair_colour(melanin, redness):
+    """The colour of hair with that amount of melanin: light that has crossed a fibre.
+
+    Absorption of eumelanin and pheomelanin: d'Eon et al., "An Energy-Conserving Hair Reflectance
+    Model", 2011.
+    """
+    amount = -math.log(max(1 - melanin, 1e-4))
+    kinds = zip((.506, .841, 1.653), (.343, .733, 1.924))
+    return tuple(math.exp(-amount * ((1 - redness) * dark + redness * red)) for dark, red in kinds)
+
+
 SURFACES = {
     "BSDF_DIFFUSE": diffuse, "BSDF_GLOSSY": glossy, "BSDF_GLASS": glass, "BSDF_REFRACTION": glass,
     "BSDF_TRANSPARENT": transparent, "BSDF_TRANSLUCENT": translucent, "EMISSION": emission,
+    "BACKGROUND": emission, "BSDF_ANISOTROPIC": anisotropic, "SUBSURFACE_SCATTERING": subsurface,
+    "BSDF_VELVET": velvet, "BSDF_SHEEN": velvet, "BSDF_TOON": coloured, "BSDF_HAIR": coloured,
+    "BSDF_HAIR_PRINCIPLED": coloured,
 }

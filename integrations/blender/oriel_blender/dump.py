@@ -2,12 +2,17 @@
 """Reads the JSON and the arrays that `oriel convert SCENE.mi NAME.json` writes."""
 import json
 import os
+import pathlib
 import subprocess
 import tempfile
 
 import numpy
 
 from . import program
+
+
+MISSING_INCLUDE = "OR-MI-010"
+FOLDERS_ABOVE = 4  # that are searched for missing includes
 
 
 class DumpError(RuntimeError):
@@ -70,11 +75,33 @@ def read(path):
         raise DumpError(f"the scene cannot be read: {error}") from error
 
 
-def convert(path):
-    """Converts a .mi file; returns the dump and the messages of the program."""
+def convert(path, includes=()):
+    """Converts a .mi file; returns the dump and the messages of the program.
+
+    includes: folders of include files. Missing ones are searched in the folders above the scene.
+    """
+    try:
+        result = convert_with(path, includes)
+    except DumpError:
+        if not includes:
+            raise
+        result = None
+    if result is not None and not any(MISSING_INCLUDE in line for line in result[1]):
+        return result
+    above = list(pathlib.Path(path).resolve().parents)[:FOLDERS_ABOVE]
+    try:
+        return convert_with(path, [*includes, *(f for f in above if f != f.parent)])
+    except DumpError:
+        if result is None:
+            raise
+        return result
+
+
+def convert_with(path, includes):
     with tempfile.TemporaryDirectory() as folder:
         target = os.path.join(folder, "scene.json")
-        run = subprocess.run([program.find(), "convert", path, target], capture_output=True,
+        words = [word for place in includes for word in ("-I", str(place))]
+        run = subprocess.run([program.find(), "convert", path, target, *words], capture_output=True,
                              text=True, errors="replace", check=False)
         messages = [line for line in (run.stdout + run.stderr).splitlines() if line.strip()]
         if run.returncode != 0 or not os.path.exists(target):

@@ -13,6 +13,7 @@ from . import camera, export, exr, mattes, meshes, passes, process, program, vie
 ENGINE = "ORIEL"
 POLL_SECONDS = 0.05
 SHOW_SECONDS = 1.5
+UNINTERESTING = {"OR-GEOM-001"}  # triangles without area, which caps of texts have
 
 
 class RenderFailed(RuntimeError):
@@ -43,11 +44,13 @@ class Border:
     def __init__(self, render, width, height):
         self.used = render.use_border
         self.x0, self.y0, self.x1, self.y1 = 0, 0, width, height
-        if self.used:
-            self.x0 = round(render.border_min_x * width)
-            self.x1 = max(round(render.border_max_x * width), self.x0 + 1)
-            self.y0 = round(render.border_min_y * height)
-            self.y1 = max(round(render.border_max_y * height), self.y0 + 1)
+        if self.used:  # Blender rounds down, in single precision
+            def pixel(part, count):
+                return int(numpy.float32(part) * numpy.float32(count))
+            self.x0 = pixel(render.border_min_x, width)
+            self.x1 = max(pixel(render.border_max_x, width), self.x0 + 1)
+            self.y0 = pixel(render.border_min_y, height)
+            self.y1 = max(pixel(render.border_max_y, height), self.y0 + 1)
 
     @property
     def size(self):
@@ -102,6 +105,9 @@ class OrielEngine(bpy.types.RenderEngine):
         scene = depsgraph.scene
         if scene.camera is None and self.camera_override is None:
             raise RenderFailed("the scene has no camera")
+        viewer = self.camera_override or scene.camera
+        if viewer.type != "CAMERA":
+            raise RenderFailed(f'object "{viewer.name}" is the camera of the scene, but is no camera')
         width, height = self.resolution_x, self.resolution_y
         border = Border(scene.render, width, height)
         for view in self.views(scene):
@@ -122,6 +128,9 @@ class OrielEngine(bpy.types.RenderEngine):
         camera_object = depsgraph.scene_eval.camera
         matrix = numpy.array(self.camera_model_matrix(camera_object), numpy.float64).reshape(4, 4)
         shift = {"shift_x": self.camera_shift_x(camera_object)} if view else {}
+        if not self.is_preview and passes.missing(layer):
+            self.warn(f'view layer "{layer.name}": the passes {", ".join(passes.missing(layer))} are not '
+                      "rendered")
         folder = session_folder()
         started = time.time()
         self.update_stats("", "Exporting")
@@ -243,7 +252,8 @@ class OrielEngine(bpy.types.RenderEngine):
             noise = event.get("noise")
             self.update_stats(str(event.get("stage", "")), f"Samples {event.get('samples', 0):g}" + (
                 f", noise {noise:.3f}" if isinstance(noise, float) else ""))
-        elif kind == "diagnostic" and event.get("severity") in {"warning", "error"}:
+        elif kind == "diagnostic" and event.get("severity") in {"warning", "error"} and \
+                event.get("code") not in UNINTERESTING:
             self.warn(str(event.get("message", "")))
 
     def show(self, scene, layer, path, result, size, view):
@@ -269,7 +279,7 @@ class OrielEngine(bpy.types.RenderEngine):
         if factor != 1:
             combined[:, :3] *= factor
         fill(layers[0].passes, "Combined", combined, view)
-        for p in passes.wanted(layer):
+        for p in passes.wanted(layer, scene.world):
             pixels = passes.combined(picture, False)[:, :3] if p.name == "Noisy Image" \
                 else p.make(picture)
             if pixels is not None:

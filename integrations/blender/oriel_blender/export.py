@@ -9,7 +9,10 @@ from . import (camera, curves, images, light_links, lights, materials, meshes, m
 
 MOTION_STEPS = 8  # of transforms that turn
 NARROW = .9999  # refl_gloss of a lobe of 0.16 degrees
-SURFACES = {"MESH", "CURVE", "SURFACE", "FONT", "META"}
+# Curves, surfaces and texts have instances of their meshes beside them.
+SURFACES = {"MESH", "META"}
+# Types of objects that are not rendered; Blender draws grease pencil itself.
+UNSUPPORTED = {"VOLUME": "volumes", "POINTCLOUD": "point clouds"}
 
 
 class Placed:
@@ -60,6 +63,7 @@ class Exporter:
         self.groups = {}           # light group -> instance names
         self.known = {}            # key of geometry -> name and file of an earlier export
         self._objects = {}         # key of geometry -> element name
+        self._orders = {}          # names of geometry -> addresses of its meshes
         self._opening = {}         # key of instance -> matrix at shutter opening
         self._motion = {}          # the same at shutter close
         self._opening_points = {}  # key of geometry -> points at shutter opening
@@ -104,6 +108,7 @@ class Exporter:
             self.frame_set(frame, 0.0)
 
     def read_points(self, found):
+        self._orders.clear()
         for instance in self.depsgraph.object_instances:
             ob = instance.object
             key = self.geometry_key(ob)
@@ -149,6 +154,7 @@ class Exporter:
 
     def body(self, blur=None):
         """Adds everything but the camera; returns the name of the environment shader."""
+        self.images.frame = self.scene.frame_current
         self.out.add(self.options(blur))
         writer = world.WorldWriter(self.out, self.images, self.report, self.baker)
         environment = writer.write(self.scene.world)
@@ -196,6 +202,7 @@ class Exporter:
         return camera.write(self.out, self.scene, camera_object, matrix, size, environment, options)
 
     def instances(self):
+        self._orders.clear()
         if any(hidden_shape(instance.object) for instance in self.depsgraph.object_instances):
             # Mirrors do not see lights that the camera does not see; narrow lobes do.
             self.materials.sharpest = NARROW
@@ -214,6 +221,8 @@ class Exporter:
                 self.surface(ob, placed)
             elif ob.type in {"CURVES", "HAIR"} and placed.show:
                 self.curves(ob, placed)
+            elif ob.type in UNSUPPORTED and placed.show:
+                self.report(f'object "{placed.name}": {UNSUPPORTED[ob.type]} are not rendered')
             if placed.particles and ob.type == "MESH":
                 self.particle_hair(ob, placed)
 
@@ -240,15 +249,14 @@ class Exporter:
         if motion is not None and numpy.allclose(motion, matrix):
             motion = None
         written = lights.write(self.out, ob, ob.data, name, matrix, motion, self.report,
-                               self.folder)
+                               self.images)
         if written:
             self.links.add(ob.original, written)
         group = getattr(ob.original, "lightgroup", "")
         if written and group:
             self.groups.setdefault(group, []).append(written)
 
-    @staticmethod
-    def geometry_key(ob):
+    def geometry_key(self, ob):
         """Objects with the same key have the same geometry."""
         original = ob.original
         shared = original.data is not None and not original.modifiers and ob.type == "MESH" and \
@@ -256,7 +264,12 @@ class Exporter:
         if shared:
             return "data", original.data.session_uid if hasattr(original.data, "session_uid") else \
                 original.data.name_full, ob.data.name_full
-        return "object", original.name_full, ob.data.name_full if ob.data else ""
+        if ob.data is None:
+            return "object", original.name_full, "", 0
+        # Geometry nodes place several meshes with the same name; their order is that of other frames.
+        names = "object", original.name_full, ob.data.name_full
+        order = self._orders.setdefault(names, {})
+        return *names, order.setdefault(ob.data.as_pointer(), len(order))
 
     def slots(self, ob, placed):
         """Material names of the slots, and the number of texture spaces of all of them."""
@@ -270,6 +283,8 @@ class Exporter:
         return [name for name, _ in written], max(count for _, count in written)
 
     def surface(self, ob, placed):
+        if getattr(placed.owner, "is_shadow_catcher", False):
+            self.report(f'object "{placed.name}": shadow catchers are rendered as other objects')
         names, spaces = self.slots(ob, placed)
         key = self.geometry_key(ob) + (spaces,)
         if key not in self._objects:

@@ -2,6 +2,7 @@
 """Image data-blocks as files. Images without a usable file are saved into the scene's folder."""
 import hashlib
 import os
+import re
 
 import bpy
 import numpy
@@ -12,6 +13,27 @@ READABLE = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr", ".tga", ".
             ".dpx"}
 
 MAX_TILES = 100
+FLOATING = {".exr", ".hdr"}  # files without a curve
+
+
+def sequence_frame(user, frame):
+    """The number of the file of a sequence in a frame of the scene."""
+    count = max(user.frame_duration, 1)
+    number = frame - user.frame_start + 1
+    if user.use_cyclic:
+        number = (number - 1) % count + 1
+    return min(max(number, 0), count) + user.frame_offset
+
+
+def frame_path(path, frame):
+    """The path of a frame: the last number of the file name is that of the frame."""
+    folder, name = os.path.split(path)
+    stem, suffix = os.path.splitext(name)
+    parts = re.match(r"(.*?)(\d+)(\D*)$", stem)
+    if parts is None:
+        return path
+    digits = str(max(frame, 0)).zfill(len(parts[2]))
+    return os.path.join(folder, parts[1] + digits + parts[3] + suffix)
 
 
 class Images:
@@ -21,6 +43,7 @@ class Images:
         self.out = out
         self.folder = str(folder)
         self.report = report
+        self.frame = 1  # of the scene, for sequences
         self._textures = {}
 
     def tiles(self, image):
@@ -32,24 +55,27 @@ class Images:
     @staticmethod
     def is_encoded(image):
         """Whether the values of the file are encoded by the sRGB curve."""
-        return image is not None and not image.is_float and \
-            image.colorspace_settings.name not in versions.linear_spaces()
+        if image is None or image.colorspace_settings.name in versions.linear_spaces():
+            return False
+        return not image.is_float and os.path.splitext(image.filepath)[1].lower() not in FLOATING
 
-    def texture(self, image, material, node, vector=False, tile=None, coloured=True):
+    def texture(self, image, material, node, vector=False, tile=None, coloured=True, user=None):
         """The name of the texture element, or None if the image cannot be read. Encoded values, see
         is_encoded(), are decoded by gamma 2.2, before pixels are averaged.
 
-        coloured: colours are those of opaque pixels; else they are multiplied by alpha.
+        coloured: colours are those of opaque pixels; else they are multiplied by alpha. user: the image
+        user of the node, for the frame of a sequence.
         """
         if image is None:
             self.report(f'material "{material}": node "{node}" has no image')
             return None
         space = image.colorspace_settings.name
         kind = "color" if self.is_encoded(image) and not vector else "vector"
-        key = image.name_full, coloured, tile, kind
+        frame = sequence_frame(user, self.frame) if image.source == "SEQUENCE" and user else None
+        key = image.name_full, coloured, tile, kind, frame
         if key not in self._textures:
-            path = self.path_of(image, material, node, tile)
-            if path and tile is None and not vector:
+            path = self.path_of(image, material, node, tile, frame)
+            if path and tile is None and not vector and frame is None:
                 path = self.with_alpha(image, path, coloured)
             name = None
             if path:
@@ -61,7 +87,7 @@ class Images:
             self._textures[key] = name
         return self._textures[key]
 
-    def path_of(self, image, material, node, tile):
+    def path_of(self, image, material, node, tile, frame=None):
         if image.source == "TILED" and tile is None:
             tile = 1001
             self.report(f'material "{material}": node "{node}": only the first tile of '
@@ -70,11 +96,19 @@ class Images:
         if tile:
             u, v = (tile - 1001) % 10, (tile - 1001) // 10
             path = path.replace("<UDIM>", str(tile)).replace("<UVTILE>", f"u{u + 1}_v{v + 1}")
-        unchanged = image.source in {"FILE", "TILED"} and not image.packed_file and not image.is_dirty
+        if frame is not None:
+            path = frame_path(path, frame)
+        if image.source == "MOVIE":
+            self.report(f'material "{material}": node "{node}": "{image.name}" is a movie, which is '
+                        "unsupported")
+            return None
+        unchanged = image.source in {"FILE", "TILED", "SEQUENCE"} and not image.packed_file and \
+            not image.is_dirty
         if unchanged and os.path.splitext(path)[1].lower() in READABLE and os.path.isfile(path):
             return os.path.abspath(path)
-        if not image.has_data and image.source in {"FILE", "TILED", "SEQUENCE", "MOVIE"} and \
-                not image.packed_file:
+        # The size is 0 if Blender cannot read the file.
+        if image.source in {"FILE", "TILED", "SEQUENCE"} and not image.packed_file and \
+                (frame is not None or not image.size[0]):
             self.report(f'material "{material}": node "{node}": the file of image "{image.name}" '
                         f"is missing: {path}")
             return None

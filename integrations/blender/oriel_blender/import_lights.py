@@ -54,8 +54,10 @@ def light(reader, source):
     if area and area["shape"] == "sphere" and area["numbers"]:
         made.shadow_soft_size = area["numbers"][0]
     set_energy(made, colour, math.pi)
-    if kind == "mib_light_photometric" and with_profile(reader, made, colour,
-                                                        parameters.get("profile", "")):
+    if kind in {"mib_light_photometric", "mia_photometric_light"} and with_profile(
+            reader, made, colour, parameters.get("profile", "")):
+        if "manual_flux_lm" in parameters or "manual_intensity_cd" in parameters:
+            reader.report(f'light "{name}": its intensity is that of its profile')
         return made
     if kind != "physical_light":
         reader.report(f'light "{name}": {kind} is approximated by a physical light')
@@ -170,14 +172,24 @@ def environment(reader, source, frame=None):
             node = tree.nodes.new("ShaderNodeTexEnvironment")
             node.image = image
             tree.links.new(node.outputs[0], background.inputs["Color"])
-        reader.report("the rotation of the environment picture is approximated")
+        keep_environment(reader, source, tree)
+        reader.report("the rotation of the environment picture is kept in native nodes only")
     elif kind == "mib_color_mix" and isinstance(parameters.get("color_base"), list) and \
             not parameters.get("num"):
         rgb = numbers(parameters["color_base"], (0, 0, 0))
         background.inputs["Color"].default_value = (*rgb, 1)
     elif kind:
-        reader.report(f"the environment shader {kind} is left out; the world is black")
+        keep_environment(reader, source, tree)
+        reader.report(f"the environment shader {kind} is kept in native nodes; the world of other "
+                      "engines is black")
     return world
+
+
+def keep_environment(reader, source, tree):
+    """The environment as native nodes."""
+    call = reader.dump.call(source["environment"][-1])
+    if call is not None:
+        reader.materials.native_nodes(tree, call, "World")
 
 
 def sky(reader, parameters, tree, background, frame):

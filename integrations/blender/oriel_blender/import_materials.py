@@ -4,7 +4,8 @@ import os
 
 import bpy
 
-from . import native, versions
+from . import import_coordinates, native, versions
+from .materials import ROUNDED
 
 NATIVE_OUTPUT = "Oriel Output"
 MATERIALS = {"mia_material", "mia_material_x", "mia_material_x_passes"}
@@ -107,9 +108,44 @@ class MaterialReader:
             set_value(node, number(cutout, 1.0), "Alpha")
         if transparency or parameters.get("cutout_opacity", 1.0) != 1.0:
             versions.show_alpha(material)
-        if parameters.get("bump") or parameters.get("overall_bump"):
-            self.report(f'material "{material.name}": bumps are kept in native nodes only')
+        if parameters.get("thin_walled") is True and transparency > .5 and not metallic:
+            self.pane(tree, node, transparency)
+        self.bump(material, tree, node, parameters)
         return None
+
+    def pane(self, tree, node, transparency):
+        """Thin glass: other engines would block the light of sun and sky by a Principled BSDF."""
+        output = next(n for n in tree.nodes if n.type == "OUTPUT_MATERIAL")
+        mix, through, facing = (tree.nodes.new("ShaderNode" + kind) for kind in (
+            "MixShader", "BsdfTransparent", "Fresnel"))
+        facing.inputs["IOR"].default_value = node.inputs["IOR"].default_value
+        colour = node.inputs["Base Color"]
+        through.inputs["Color"].default_value = colour.default_value
+        set_value(node, 0.0, "Transmission Weight", "Transmission")
+        set_value(node, 1.0, "Metallic")
+        node.inputs["Base Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+        for i, new in enumerate((mix, through, facing)):
+            new.location = (node.location.x + 150 * i, node.location.y + 300)
+        tree.links.new(facing.outputs[0], mix.inputs[0])
+        tree.links.new(through.outputs[0], mix.inputs[1])
+        tree.links.new(node.outputs[0], mix.inputs[2])
+        tree.links.new(mix.outputs[0], output.inputs["Surface"])
+
+    def bump(self, material, tree, node, parameters):
+        """Rounded edges as a Bevel node; other bumps are kept in native nodes."""
+        for name in ("overall_bump", "bump"):
+            call = self.inner(parameters, name)
+            if call is None:
+                continue
+            radius = call["parameters"].get("radius")
+            if call["type"] == "mia_roundcorners" and isinstance(radius, (int, float)):
+                bevel = tree.nodes.new("ShaderNodeBevel")
+                bevel.inputs["Radius"].default_value = radius / ROUNDED
+                bevel.location = (node.location.x - 200, node.location.y - 500)
+                tree.links.new(bevel.outputs[0], node.inputs["Normal"])
+            else:
+                self.report(f'material "{material.name}": bumps are kept in native nodes only')
+            return
 
     def inner(self, parameters, name):
         """The shader call that is connected to a parameter, or None."""
@@ -154,7 +190,7 @@ class MaterialReader:
             set_value(node, (*value[:3], 1.0), *names)
 
     def link_image(self, material, tree, node, value, *names):
-        image = self.image_behind(value)
+        image, look = self.image_behind(value)
         if image is None:
             self.report(f'material "{material.name}": "{names[0]}" is computed by a shader that has '
                         "no equivalent; it is kept in native nodes only")
@@ -162,23 +198,31 @@ class MaterialReader:
         source = tree.nodes.new("ShaderNodeTexImage")
         source.image = image
         source.location = (node.location.x - 320, node.location.y)
-        tree.links.new(source.outputs["Color"], find_socket(node, names))
+        import_coordinates.link(self, material, tree, source, look)
+        tree.links.new(source.outputs["Alpha" if self.reads_alpha(value) else "Color"],
+                       find_socket(node, names))
+
+    def reads_alpha(self, value):
+        """Whether a connection is the alpha of an image."""
+        call = self.dump.shader(value["shader"]) if "shader" in value else None
+        return call is not None and call["type"] == "mib_color_alpha"
 
     def image_behind(self, value, depth=0):
-        """The image that a connection reads, through shaders that modify colours."""
+        """The image that a connection reads, through shaders that modify colours, and the call that
+        reads it."""
         if depth > 20 or not isinstance(value, dict) or "shader" not in value:
-            return None
+            return None, None
         call = self.dump.shader(value["shader"])
         if call is None:
-            return None
+            return None, None
         texture = call["parameters"].get("tex")
         if isinstance(texture, str):
-            return self.image(texture)
+            return self.image(texture), call
         for name in FOLLOWED.get(call["type"], ()):
             found = self.image_behind(call["parameters"].get(name), depth + 1)
-            if found is not None:
+            if found[0] is not None:
                 return found
-        return None
+        return None, None
 
     def image(self, name):
         if name not in self._images:
@@ -187,7 +231,8 @@ class MaterialReader:
                 path = texture["file"]
                 if os.path.isfile(path):
                     image = bpy.data.images.load(path, check_existing=True)
-                    if texture["type"] != "color texture":
+                    gamma = self.dump.root.get("render", {}).get("gamma", 2.2)
+                    if texture["type"] != "color texture" or gamma < 1.2:
                         image.colorspace_settings.name = "Non-Color"
                 else:
                     self.report(f'texture "{name}": the file {path} is missing')
@@ -195,19 +240,19 @@ class MaterialReader:
         return self._images[name]
 
     # Native nodes -----------------------------------------------------------------------------
-    def native_nodes(self, tree, call):
+    def native_nodes(self, tree, call, kind="Material"):
         """Native nodes of the call, linked to an output of their own, which Oriel prefers."""
         made = {}
         node = self.native_node(tree, call, made, 0, 0)
         if node is None:
             return
-        output = tree.nodes.new("ShaderNodeOutputMaterial")
+        output = tree.nodes.new("ShaderNodeOutput" + kind)
         output.name = output.label = NATIVE_OUTPUT
         output.location = (300, -600)
         output.is_active_output = False
         tree.links.new(node.outputs["BSDF"], output.inputs["Surface"])
         for other in tree.nodes:
-            if other.type == "OUTPUT_MATERIAL" and other != output:
+            if other.bl_idname == output.bl_idname and other != output:
                 other.is_active_output = True
 
     def native_node(self, tree, call, made, depth, row):
@@ -228,6 +273,9 @@ class MaterialReader:
         if kind in native.TEXTURES:
             if isinstance(value, str):
                 setattr(node, "image_" + name, self.image(value))
+            return
+        if kind == "transform" and isinstance(value, list) and len(value) == 16:
+            node[name] = [float(v) for v in value]
             return
         socket = node.inputs.get(name)
         if socket is None:

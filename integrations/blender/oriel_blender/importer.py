@@ -12,6 +12,11 @@ from . import dump, import_frames, import_lights, import_materials, program, ver
 Y_UP = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
 
 
+# Kinds of rays of a dump as properties of objects.
+RAYS = {"camera": "visible_camera", "shadow": "visible_shadow", "reflection": "visible_glossy",
+        "refraction": "visible_transmission", "finalgather": "visible_diffuse"}
+
+
 def matrix_of(rows):
     """A matrix for column vectors from 16 numbers for row vectors."""
     return Matrix([rows[0:4], rows[4:8], rows[8:12], rows[12:16]]).transposed()
@@ -70,6 +75,8 @@ class SceneReader:
                 cameras[placed["name"]] = ob, self.cameras[placed["element"]]
             if placed["kind"] == "object":
                 self.assign_materials(ob, placed)
+                for kind in placed.get("hidden_from", ()):
+                    setattr(ob, RAYS.get(kind, "visible_camera"), False)
         self.finish(cameras)
 
     def matrix_at(self, placed, frame):
@@ -268,6 +275,9 @@ class ORIEL_OT_import(bpy.types.Operator):
 
     filepath: StringProperty(subtype="FILE_PATH")
     filter_glob: StringProperty(default="*.mi;*.mi.gz", options={"HIDDEN"})
+    include: StringProperty(
+        name="Include Folders", description="Folders of include files, separated by semicolons. The "
+                                            "folder of the scene and those above it are searched")
     up: EnumProperty(name="Up Axis", default="AUTO", items=[
         ("AUTO", "Automatic", "From the sky, else from the camera"), ("Y", "Y", "Y points up"),
         ("Z", "Z", "Z points up")])
@@ -278,7 +288,8 @@ class ORIEL_OT_import(bpy.types.Operator):
 
     def execute(self, context):
         try:
-            source, messages = dump.convert(bpy.path.abspath(self.filepath))
+            folders = [bpy.path.abspath(f) for f in self.include.split(";") if f.strip()]
+            source, messages = dump.convert(bpy.path.abspath(self.filepath), folders)
             name = os.path.basename(self.filepath)
             collection = bpy.data.collections.new(name)
             context.scene.collection.children.link(collection)

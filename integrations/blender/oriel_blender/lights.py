@@ -4,7 +4,7 @@ import hashlib
 import math
 import os
 
-from . import camera, mi, versions
+from . import camera, light_nodes, mi, versions
 
 LUMENS_OF_WATT = 177.83  # of IES profiles in Cycles: the luminous efficacy of its white light
 PROFILE_ANGLES = 1801  # of profiles of area lights with spread and of spots
@@ -15,42 +15,6 @@ def colour(light, factor):
     tint = versions.light_temperature(light)
     strength = light.energy * versions.light_factor(light) * factor
     return tuple(c * t * strength for c, t in zip(light.color, tint))
-
-
-def node_factor(light, report):
-    """Colour and strength of the node tree of a light, which multiply it."""
-    if not light.use_nodes or light.node_tree is None:
-        return (1.0, 1.0, 1.0), None
-    output = next((n for n in light.node_tree.nodes
-                   if n.type == "OUTPUT_LIGHT" and n.is_active_output), None)
-    links = output.inputs["Surface"].links if output else ()
-    node = links[0].from_node if links else None
-    if node is None:
-        return (0.0, 0.0, 0.0), None
-    if node.type != "EMISSION":
-        report(f'light "{light.name}": node "{node.name}" is unsupported and ignored')
-        return (1.0, 1.0, 1.0), None
-    profile, strength = None, node.inputs["Strength"]
-    factor = strength.default_value
-    if strength.is_linked:
-        source = strength.links[0].from_node
-        factor = 1.0
-        if source.type == "TEX_IES":
-            profile = source
-            if not source.inputs["Strength"].is_linked:
-                factor = source.inputs["Strength"].default_value
-        else:
-            report(f'light "{light.name}": node "{source.name}" is unsupported and ignored')
-    tint = node.inputs["Color"]
-    rgb = tuple(tint.default_value)[:3]
-    if tint.is_linked:
-        source = tint.links[0].from_node
-        if source.type == "BLACKBODY" and not source.inputs[0].is_linked:
-            rgb = blackbody(source.inputs[0].default_value)
-        else:
-            report(f'light "{light.name}": node "{source.name}" is unsupported and ignored')
-            rgb = (1.0, 1.0, 1.0)
-    return tuple(c * factor for c in rgb), profile
 
 
 def blackbody(kelvin):
@@ -82,12 +46,13 @@ def area_size(light, matrix):
     return width, height, area, scale
 
 
-def write(out, ob, light, name, matrix, motion, report, folder):
+def write(out, ob, light, name, matrix, motion, report, images):
     """Writes a light and its instance; returns the name of the instance, or None.
 
-    folder: of files that the light needs.
+    images: of the scene; files that the light needs are written into their folder.
     """
-    factor, profile = node_factor(light, report)
+    factor, profile = light_nodes.factor(out, images, light, report)
+    folder = images.folder
     element = out.names.unique(name + ".light")
     unit = matrix
     if light.type == "SUN":
@@ -109,16 +74,17 @@ def write(out, ob, light, name, matrix, motion, report, folder):
 
 
 def by_lobe(ob, light, body, report):
-    """A light with the visibility of its object: oriel_light has the parameters of its shader, and
-    factors by the kind of surface."""
+    """A light with the visibility of its object, and without shadows if they are off: oriel_light has
+    the parameters of its shader, and factors by the kind of surface."""
     diffuse, glossy, through = (getattr(ob, f"visible_{kind}", True)
                                 for kind in ("diffuse", "glossy", "transmission"))
     shader, rest = body
-    if (diffuse and glossy and through) or shader.shader == "mia_portal_light":
+    shadows = versions.light_casts_shadow(light)
+    if (diffuse and glossy and through and shadows) or shader.shader == "mia_portal_light":
         return body
     if glossy != through:
         report(f'light "{light.name}": refractions see it as reflections do')
-    values = dict(shader.parameters, diffuse=float(diffuse), glossy=float(glossy))
+    values = dict(shader.parameters, diffuse=float(diffuse), glossy=float(glossy), shadow=shadows)
     return mi.call_of("oriel_light", values), rest
 
 

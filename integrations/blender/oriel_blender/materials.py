@@ -6,6 +6,9 @@ from . import (arithmetic, closures, layers, mi, microfacets, nodes, variants, v
                world as links)
 from .surface import Surface, f0_of_ior, gloss_of_roughness, single_scattering
 
+ROUNDED = 0.4  # share of the radius of Bevel that is rounded: the nearest to Cycles, on cubes
+
+
 def retro_reflective(graph, colour, roughness):
     """The Lambertian colour with the directional albedo of the diffuse lobe of Principled until
     3.6."""
@@ -191,27 +194,40 @@ class MaterialWriter:
             self.normal_map(graph, source, parameters)
         elif source.type == "BUMP":
             self.bump(graph, source, parameters)
+        elif source.type == "BEVEL":
+            self.bevel(graph, source, parameters)
         else:
             graph.unsupported(source, "is unsupported as a normal and ignored")
 
-    def normal_map(self, graph, node, parameters):
-        found = graph.origin(node.inputs["Color"])
-        if found is None:
-            return  # the default colour is the normal of the surface
-        if node.space != "TANGENT" or found is None or found[0] is nodes.CONSTANT or \
-                found[0].type != "TEX_IMAGE":
-            graph.unsupported(node, "is read only in tangent space with an image")
-            return
-        image = found[0]
-        texture = graph.images.texture(image.image, graph.material, image.name, vector=True)
-        strength = graph.value(node.inputs["Strength"])
-        if texture is None:
-            return
-        # The tangents are those of the first texture space, the active UV map.
-        graph.space("uv", "")
+    def bevel(self, graph, node, parameters):
+        """Rounded edges, of all materials, above the normal of the node."""
+        below = {}
+        if node.inputs["Normal"].is_linked:
+            self.bumped(graph, node, below)
+        radius = graph.product(graph.scalar(graph.value(node.inputs["Radius"])), ROUNDED)
         parameters["overall_bump"] = graph.add(
-            "normal", "oriel_normal_map", tex=mi.Words(mi.quoted(texture)),
-            factor=1.0 if isinstance(strength, mi.Connection) else strength, bump_mode=5)
+            "bevel", "mia_roundcorners", radius=radius, allow_different_materials=True, bump_mode=5,
+            bump_vector=below.get("overall_bump", (0.0, 0.0, 0.0)))
+        parameters["bump_mode"] = 5
+
+    def normal_map(self, graph, node, parameters):
+        if node.space != "TANGENT":
+            graph.unsupported(node, "is read only in tangent space")
+            return
+        if not node.inputs["Color"].is_linked:
+            return  # the default colour is the normal of the surface
+        colour = graph.colour(graph.value(node.inputs["Color"]))
+        strength = graph.scalar(graph.value(node.inputs["Strength"]))
+        if isinstance(strength, mi.Connection) or strength < 1:
+            # Weak maps also have less of the change along the normal.
+            share = arithmetic.operate(graph, "MAXIMUM", strength, 0.0)
+            share = arithmetic.operate(graph, "MINIMUM", share, 1.0)
+            factor = arithmetic.operate(graph, "MULTIPLY_ADD", share, (0.0, 0.0, 1.0), (1.0, 1.0, 0.0))
+            rest = arithmetic.operate(graph, "MULTIPLY_ADD", share, (0.0, 0.0, -1.0), (0.0, 0.0, 1.0))
+            colour = arithmetic.operate(graph, "MULTIPLY_ADD", colour, factor, rest)
+        parameters["overall_bump"] = graph.add(
+            "normal", "oriel_normal_map", color=colour, factor=strength, bump_mode=5,
+            space=graph.space("uv", node.uv_map))
         parameters["bump_mode"] = 5
 
     def bump(self, graph, node, parameters):
@@ -328,7 +344,7 @@ class MaterialWriter:
         surface.parameters["anisotropy"] = min(aspect ** -2, 10.0)
         surface.parameters["anisotropy_rotation"] = read.number("Anisotropic Rotation")
         surface.parameters["anisotropy_channel"] = -3
-        graph.space("uv", "")
+        closures.uv_tangent(graph, read.node)
 
     def add_transmission(self, graph, read, surface, base, transmission, ior, roughness):
         p = surface.parameters

@@ -99,7 +99,10 @@ def space_values(mesh, kind, name):
     if kind == "colour":
         colours = colour_layer(mesh, name)
         return numpy.zeros((len(mesh.loops), 3), numpy.float32) if colours is None else colours
-    layer = mesh.uv_layers.get(name) if name else None
+    if isinstance(name, int):  # the number of a map
+        layer = mesh.uv_layers[name] if name < len(mesh.uv_layers) else None
+    else:
+        layer = mesh.uv_layers.get(name) if name else None
     if layer is None:
         layer = next((l for l in mesh.uv_layers if l.active_render), None)
     if layer is None:

@@ -92,10 +92,15 @@ def class_of(declaration):
         "library": declaration.get("library", "")})
 
 
+# Parameters that are the number of a texture space: the UV maps of the mesh in their order.
+SPACES = {"select", "space"}
+
+
 def call_of_node(graph, node):
     """Writes the shader call of a native node; returns a connection to it."""
     cls = type(node)
     parameters = {}
+    graph.space("uv", "")  # shaders read texture coordinates without naming a map
     for parameter in cls.parameters:
         name, kind = parameter["name"], parameter["type"]
         if kind in TEXTURES:
@@ -106,6 +111,8 @@ def call_of_node(graph, node):
                 if texture:
                     parameters[name] = mi.Words(mi.quoted(texture))
             continue
+        if kind == "transform" and name in node:
+            parameters[name] = tuple(node[name])
         socket = node.inputs.get(name)
         if socket is None:
             continue
@@ -118,6 +125,8 @@ def call_of_node(graph, node):
                 parameters[name] = socket.default_value
         else:
             parameters[name] = plain(kind, socket, graph, default_of(parameter))
+            if name in SPACES and isinstance(parameters[name], int) and parameters[name] > 0:
+                parameters[name] = graph.space("uv", parameters[name])
     return graph.out.shader_of(f"{graph.material}.{node.name}", cls.shader, parameters)
 
 

@@ -2,7 +2,7 @@
 """Values of node sockets: constants, or shaders of the base library that compute them."""
 import numpy
 
-from . import arithmetic, mi, textures, world as links
+from . import arithmetic, image_nodes, mi, textures, vectors, world as links
 
 CONSTANT = object()
 
@@ -264,6 +264,9 @@ class Graph:
         name = output.identifier
         if name == "Backfacing":
             return self.add("facing", "oriel_facing", mode=4)
+        if name == "Incoming":
+            ray = self.add("ray", "mib_texture_vector", select=-10, selspace=2)
+            return self.remapped("incoming", ray, numpy.diag([-1.0, -1.0, -1.0, 1.0]))
         if name not in {"Position", "Normal", "True Normal"}:
             return None
         return self.add("world_point", "mib_texture_vector", select=-2 if "ormal" in name else -1,
@@ -284,69 +287,39 @@ class Graph:
 
     def mapping(self, node):
         inner = self.coordinate(node.inputs["Vector"])
-        matrix = mapping_matrix(node)
-        if matrix is None:
+        values = {n: self.vector(self.value(node.inputs[n]))
+                  for n in ("Location", "Rotation", "Scale") if n in node.inputs}
+        matrix = mapping_matrix(node, values)
+        if matrix is not None:
+            return self.add("mapping", "mib_texture_remap", input=inner,
+                            transform=tuple(matrix.T.ravel()))
+        if isinstance(values["Rotation"], mi.Connection) or node.vector_type == "NORMAL":
             self.unsupported(node, "has linked or singular values, which are ignored")
             return inner
-        return self.add("mapping", "mib_texture_remap", input=inner,
-                        transform=tuple(matrix.T.ravel()))
+        return self.mapped_by_links(node.vector_type, inner, values)
 
-    def image(self, node, output):
-        # Without the alpha Cycles reads colours that are multiplied by it.
-        alpha = any(o.is_linked for o in node.outputs if o.identifier == "Alpha")
-        tiles = [(tile, self.images.texture(node.image, self.material, node.name, tile=tile,
-                                            coloured=alpha))
-                 for tile in self.images.tiles(node.image)]
-        tiles = [(tile, texture) for tile, texture in tiles if texture is not None]
-        if not tiles:
-            return (1.0, 0.0, 1.0)
-        if getattr(node, "projection", "FLAT") != "FLAT":
-            self.unsupported(node, f"has the projection {node.projection}, which is read as flat")
-        coordinate = self.coordinate(node.inputs["Vector"])
-        if tiles[0][0] is not None:
-            return self.tiled(node, output, tiles, coordinate)
-        if node.extension == "REPEAT":
-            coordinate = self.add("repeat", "mib_texture_remap", input=coordinate, torus_x=True,
-                                  torus_y=True)
-        elif node.extension == "EXTEND":
-            half = tuple(.5 / max(n, 1) for n in node.image.size) + (0.0,)
-            low = arithmetic.operate(self, "MAXIMUM", coordinate, half)
-            coordinate = arithmetic.operate(self, "MINIMUM", low, tuple(1 - h for h in half))
-        elif node.extension == "MIRROR":
-            coordinate = arithmetic.operate(self, "PINGPONG", coordinate, 1.0)
-        elif node.extension != "CLIP":
-            self.unsupported(node, f"has the extension {node.extension}, which is read as clip")
-        return self.look(node, output, tiles[0][1], coordinate)
+    def vector(self, value):
+        """A number as a vector of equal components."""
+        return (value,) * 3 if isinstance(value, (int, float)) else value
 
-    def look(self, node, output, texture, coordinate):
-        look = self.add(node.name, "mib_texture_lookup", tex=mi.Words(mi.quoted(texture)),
-                        coord=coordinate)
-        if output.identifier == "Alpha":
-            return self.add("alpha", "mib_color_alpha", input=look, factor=1.0)
-        if self.images.is_encoded(node.image):
-            return arithmetic.operate(self, "SRGB_OF_GAMMA", look)
-        return look
-
-    def tiled(self, node, output, tiles, coordinate):
-        """The sum of the tiles; each is black outside of its square."""
-        total = None
-        for tile, texture in tiles:
-            matrix = numpy.eye(4)
-            matrix[:2, 3] = -((tile - 1001) % 10), -((tile - 1001) // 10)
-            moved = self.add("tile", "mib_texture_remap", input=coordinate,
-                             transform=tuple(matrix.T.ravel()))
-            look = self.look(node, output, texture, moved)
-            total = look if total is None else self.mix("tiles", 2, 1.0, total, look)
-        return total
+    def mapped_by_links(self, kind, inner, values):
+        """A mapping whose location or scale is computed by nodes."""
+        matrix = numpy.eye(4)
+        matrix[:3, :3] = rotation_matrix(values["Rotation"])
+        place = values.get("Location", (0.0,) * 3)
+        if kind == "TEXTURE":
+            moved = arithmetic.operate(self, "SUBTRACT", inner, place)
+            turned = self.remapped("turned", moved, matrix.T)
+            return arithmetic.operate(self, "DIVIDE", turned, values["Scale"])
+        scaled = arithmetic.operate(self, "MULTIPLY", inner, values["Scale"])
+        turned = self.remapped("turned", scaled, matrix)
+        return turned if kind == "VECTOR" else arithmetic.operate(self, "ADD", turned, place)
 
     def checker(self, node, output):
-        scale = self.scalar(self.value(node.inputs["Scale"]))
-        if isinstance(scale, mi.Connection):
-            return None
-        matrix = numpy.diag([scale / 2, scale / 2, scale / 2, 1.0])
+        half = arithmetic.operate(self, "MULTIPLY", self.scalar(self.value(node.inputs["Scale"])), .5)
         point = self.coordinate(node.inputs["Vector"], "generated")
-        wrapped = self.add("checks", "mib_texture_remap", input=point,
-                           transform=tuple(matrix.ravel()), torus_x=True, torus_y=True,
+        scaled = arithmetic.operate(self, "MULTIPLY", point, half)
+        wrapped = self.add("checks", "mib_texture_remap", input=scaled, torus_x=True, torus_y=True,
                            torus_z=True)
         if output.identifier == "Fac":
             a, b = (1.0,) * 3, (0.0,) * 3
@@ -371,6 +344,19 @@ class Graph:
             return self.add("mean", "mib_color_average", input=colour, factor=1.0)
         return colour
 
+    def occlusion(self, node, output):
+        """The share of the hemisphere that is free of objects within the distance."""
+        if node.inside or node.only_local or node.inputs["Normal"].is_linked:
+            self.unsupported(node, "is read as occlusion outside, by all objects and the normal of the "
+                                   "surface")
+        distance = self.scalar(self.value(node.inputs["Distance"]))
+        if isinstance(distance, mi.Connection):
+            return None
+        share = self.add("occlusion", "mib_amb_occlusion", samples=node.samples, bright=(1.0,) * 3,
+                         dark=(0.0,) * 3, spread=1.0, max_distance=distance, falloff=0.0)
+        return share if output.identifier == "AO" else \
+            self.product(share, self.colour(self.value(node.inputs["Color"])))
+
     def rgb_constant(self, node, output):
         return self.constant(node.outputs[0])
 
@@ -380,14 +366,19 @@ class Graph:
         return None if isinstance(kelvin, mi.Connection) else lights.blackbody(kelvin)
 
 
-def mapping_matrix(node):
-    """The 4x4 matrix of a Mapping node for column vectors; None if it is linked or singular."""
+def rotation_matrix(angles):
     from mathutils import Euler
-    names = [n for n in ("Location", "Rotation", "Scale") if n in node.inputs]
-    if any(node.inputs[n].is_linked for n in names):
+    return numpy.array(Euler(angles, "XYZ").to_matrix(), numpy.float64)
+
+
+def mapping_matrix(node, get):
+    """The 4x4 matrix of a Mapping node for column vectors; None if its values are linked or singular.
+
+    get: location, rotation and scale.
+    """
+    if any(isinstance(value, mi.Connection) for value in get.values()):
         return None
-    get = {n: tuple(node.inputs[n].default_value) for n in names}
-    rotation = numpy.array(Euler(get["Rotation"], "XYZ").to_matrix(), numpy.float64)
+    rotation = rotation_matrix(get["Rotation"])
     scale = numpy.diag(get["Scale"])
     matrix = numpy.eye(4)
     kind = node.vector_type
@@ -405,8 +396,9 @@ def mapping_matrix(node):
 
 
 TRANSLATORS = {
-    **arithmetic.TRANSLATORS, **textures.TRANSLATORS,
-    "TEX_IMAGE": Graph.image, "TEX_CHECKER": Graph.checker,
+    **arithmetic.TRANSLATORS, **textures.TRANSLATORS, **image_nodes.TRANSLATORS,
+    **vectors.TRANSLATORS, "AMBIENT_OCCLUSION": Graph.occlusion,
+    "TEX_CHECKER": Graph.checker,
     "VERTEX_COLOR": Graph.vertex_colour, "ATTRIBUTE": Graph.vertex_colour,
     "OBJECT_INFO": Graph.object_info, "LIGHT_PATH": Graph.light_path,
     "TEX_COORD": Graph.coordinate_of, "UVMAP": Graph.coordinate_of,

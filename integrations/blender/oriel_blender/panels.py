@@ -47,6 +47,10 @@ class ORIEL_PT_motion_blur(OrielPanel, bpy.types.Panel):
     def draw(self, context):
         self.layout.use_property_split = True
         self.layout.prop(context.scene.render, "motion_blur_shutter")
+        for owner in (context.scene.render, getattr(context.scene, "cycles", None)):
+            if hasattr(owner, "motion_blur_position"):  # of Cycles until 4.1
+                self.layout.prop(owner, "motion_blur_position")
+                break
 
 
 class ORIEL_PT_exposure(OrielPanel, bpy.types.Panel):
@@ -76,6 +80,7 @@ class ORIEL_PT_passes(OrielPanel, bpy.types.Panel):
         for p in passes.PASSES:
             if hasattr(layer, p.flag):
                 column.prop(layer, p.flag)
+        column.prop(layer, "use_pass_mist")
         column = layout.column(heading="Oriel")
         for p in passes.EXTRA:
             column.prop(layer.oriel, p.flag)
@@ -85,30 +90,17 @@ class ORIEL_PT_passes(OrielPanel, bpy.types.Panel):
         column.prop(layer, "pass_cryptomatte_depth", text="Levels")
 
 
-class ORIEL_PT_light(OrielPanel, bpy.types.Panel):
-    bl_label = "Oriel"
-    bl_context = "data"
-
-    @classmethod
-    def poll(cls, context):
-        return super().poll(context) and context.light and context.light.type == "AREA" and \
-            hasattr(context.light, "cycles")
-
-    def draw(self, context):
-        self.layout.use_property_split = True
-        self.layout.prop(context.light.cycles, "is_portal", text="Portal")
-
-
-CLASSES = (ORIEL_PT_light, ORIEL_PT_sampling, ORIEL_PT_light_paths, ORIEL_PT_motion_blur, ORIEL_PT_exposure,
+CLASSES = (ORIEL_PT_sampling, ORIEL_PT_light_paths, ORIEL_PT_motion_blur, ORIEL_PT_exposure,
            ORIEL_PT_passes)
 
 # Panels for properties that are specific to another engine.
-EXCLUDED = {"RENDER_PT_simplify", "VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes",
-            "RENDER_PT_freestyle", "VIEWLAYER_PT_freestyle_lineset"}
+EXCLUDED = {"VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_freestyle",
+            "VIEWLAYER_PT_freestyle_lineset", "DATA_PT_light", "NODE_DATA_PT_light", "DATA_PT_distance",
+            "DATA_PT_falloff_curve"}
 # Panels of EEVEE for data that Oriel reads as well.
 INCLUDED = {"MATERIAL_PT_preview", "EEVEE_MATERIAL_PT_context_material",
             "EEVEE_MATERIAL_PT_surface", "EEVEE_NEXT_MATERIAL_PT_surface", "WORLD_PT_preview",
-            "EEVEE_WORLD_PT_surface", "WORLD_PT_surface", "DATA_PT_light", "DATA_PT_EEVEE_light",
+            "EEVEE_WORLD_PT_surface", "WORLD_PT_surface", "EEVEE_WORLD_PT_mist", "DATA_PT_light", "DATA_PT_EEVEE_light",
             "DATA_PT_spot", "DATA_PT_camera_dof", "DATA_PT_camera_dof_aperture",
             "DATA_PT_normals", "OBJECT_PT_motion_paths", "RENDER_PT_color_management"}
 

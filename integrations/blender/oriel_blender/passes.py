@@ -46,6 +46,17 @@ def depth(picture):
     return None if z is None else numpy.where(z > 0, z, numpy.float32(1e10))
 
 
+def mist(settings):
+    """The share of the mist of the world, from the depth."""
+    power = {"QUADRATIC": 2.0, "LINEAR": 1.0, "INVERSE_QUADRATIC": .5}[settings.falloff]
+    start, length = settings.start, max(settings.depth, 1e-6)
+
+    def make(picture):
+        z = depth(picture)
+        return None if z is None else numpy.clip((z - start) / length, 0, 1) ** power
+    return make
+
+
 def vector(picture):
     """Motion in pixels to the previous and the next frame."""
     m = picture.stack(["motion.X", "motion.Y"])
@@ -89,6 +100,20 @@ MATTES = (("use_pass_cryptomatte_object", "CryptoObject"),
           ("use_pass_cryptomatte_asset", "CryptoAsset"))
 
 
+# Passes of other engines that the program does not have, by their properties.
+UNSUPPORTED = {"use_pass_uv": "UV", "use_pass_object_index": "IndexOB",
+               "use_pass_material_index": "IndexMA", "use_pass_environment": "Env",
+               "use_pass_shadow": "Shadow", "use_pass_subsurface_direct": "SubsurfaceDir",
+               "use_pass_subsurface_indirect": "SubsurfaceInd",
+               "use_pass_subsurface_color": "SubsurfaceCol", "use_pass_transmission_direct": "TransDir"}
+
+
+def missing(view_layer):
+    """Names of the passes of a view layer that are not rendered."""
+    return [name for flag, name in UNSUPPORTED.items() if getattr(view_layer, flag, False)] + \
+        [aov.name for aov in getattr(view_layer, "aovs", ())]
+
+
 def matte_names(view_layer):
     """Names of the Cryptomatte passes of a view layer."""
     count = (min(16, view_layer.pass_cryptomatte_depth) + 1) // 2
@@ -96,9 +121,11 @@ def matte_names(view_layer):
             for i in range(count)]
 
 
-def wanted(view_layer):
-    """Passes of a view layer besides Combined."""
+def wanted(view_layer, world):
+    """Passes of a view layer besides Combined. world: of the scene, or None."""
     chosen = [p for p in PASSES if getattr(view_layer, p.flag, False)]
+    if getattr(view_layer, "use_pass_mist", False) and world is not None:
+        chosen.append(Pass("Mist", "use_pass_mist", "Z", "VALUE", mist(world.mist_settings)))
     settings = getattr(view_layer, "oriel", None)
     if settings:
         chosen += [p for p in EXTRA if getattr(settings, p.flag, False)]
@@ -111,7 +138,7 @@ def wanted(view_layer):
 
 def register_all(engine, scene, view_layer):
     engine.register_pass(scene, view_layer, "Combined", 4, "RGBA", "COLOR")
-    for p in wanted(view_layer):
+    for p in wanted(view_layer, scene.world):
         engine.register_pass(scene, view_layer, p.name, len(p.channels), p.channels.upper(), p.kind)
 
 
@@ -120,7 +147,7 @@ def arguments(view_layer, denoise, coverage=False):
 
     coverage: mattes give the alpha.
     """
-    chosen = wanted(view_layer)
+    chosen = wanted(view_layer, None)
     names = ["beauty", "depth", "normal", "albedo"]
     if any(p.name == "Noise" for p in chosen):
         names.append("variance")

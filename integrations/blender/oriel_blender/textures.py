@@ -5,6 +5,7 @@ from . import arithmetic
 # Types of oriel_noise. FBM is a sum that is not normalized.
 NOISE_TYPES = {"FBM": 0, "MULTIFRACTAL": 1, "HYBRID_MULTIFRACTAL": 2, "RIDGED_MULTIFRACTAL": 3,
                "HETERO_TERRAIN": 4}
+WHITE_NOISE = 5
 FEATURES = {"F1": 0, "F2": 1, "SMOOTH_F1": 2, "DISTANCE_TO_EDGE": 3, "N_SPHERE_RADIUS": 4}
 METRICS = {"EUCLIDEAN": 0, "MANHATTAN": 1, "CHEBYCHEV": 2, "MINKOWSKI": 3}
 AXES = {"X": 0, "Y": 1, "Z": 2, "DIAGONAL": 3, "SPHERICAL": 3}
@@ -76,7 +77,7 @@ def has_equivalent(node):
     """Whether the program has the texture of a node with its settings; true for other nodes."""
     if node.type == "TEX_VORONOI":
         detail = node.inputs.get("Detail")  # from 4.0
-        return node.voronoi_dimensions in {"2D", "3D"} and not getattr(node, "normalize", False) and \
+        return not getattr(node, "normalize", False) and \
             (detail is None or not detail.is_linked and detail.default_value <= 0)
     if node.type == "TEX_BRICK":
         return node.offset_frequency > 0 and node.squash_frequency > 0
@@ -86,10 +87,10 @@ def has_equivalent(node):
 def voronoi(graph, node, output):
     if not has_equivalent(node):
         return None
-    result = {"Distance": 0, "Radius": 0, "Color": 1, "Position": 2}.get(output.identifier)
+    result = {"Distance": 0, "Radius": 0, "Color": 1, "Position": 2, "W": 3}.get(output.identifier)
     if result is None:
         return None
-    return graph.add("voronoi", "oriel_voronoi", coord=point(graph, node),
+    return graph.add("voronoi", "oriel_voronoi", coord=point(graph, node), w=number(graph, node, "W"),
                      scale=number(graph, node, "Scale", 5.0),
                      randomness=number(graph, node, "Randomness", 1.0),
                      smoothness=number(graph, node, "Smoothness", 1.0),
@@ -141,7 +142,14 @@ def brick(graph, node, output):
                      squash_rows=node.squash_frequency, factor=factor)
 
 
+def white_noise(graph, node, output):
+    """A random number, or colour, of each place."""
+    return graph.add("white_noise", "oriel_noise", coord=point(graph, node),
+                     w=number(graph, node, "W"), scale=1.0, type=WHITE_NOISE,
+                     dimensions=dimensions(node), color=output.identifier == "Color")
+
+
 TRANSLATORS = {
-    "TEX_NOISE": noise, "TEX_MUSGRAVE": musgrave, "TEX_VORONOI": voronoi, "TEX_WAVE": wave,
+    "TEX_WHITE_NOISE": white_noise, "TEX_NOISE": noise, "TEX_MUSGRAVE": musgrave, "TEX_VORONOI": voronoi, "TEX_WAVE": wave,
     "TEX_MAGIC": magic, "TEX_BRICK": brick,
 }

@@ -74,6 +74,10 @@ class WorldWriter:
     def shader_of(self, world):
         if not world.use_nodes or world.node_tree is None:
             return self.constant(world.color)
+        own = world.node_tree.nodes.get("Oriel Output")
+        node = source_of(own.inputs["Surface"]) if own else None
+        if node is not None and node.bl_idname.startswith("OrielNode_"):
+            return self.native(world, node)
         output = output_node(world.node_tree, "OUTPUT_WORLD")
         node = source_of(output.inputs["Surface"]) if output else None
         if node is None:
@@ -91,6 +95,12 @@ class WorldWriter:
         if source is not None and source.type == "TEX_SKY":
             return self.sky(world, source, strength)
         return self.baked(world, None)
+
+    def native(self, world, node):
+        """The environment of native nodes."""
+        from . import native, nodes
+        graph = nodes.Graph(self.out, self.images, world.name, self.report, [("uv", "")])
+        return native.call_of_node(graph, node)
 
     @staticmethod
     def is_turned(node):
@@ -144,7 +154,8 @@ class WorldWriter:
         return matrix.T if mapping.vector_type == "TEXTURE" else matrix
 
     def picture(self, world, node, strength):
-        texture = self.images.texture(node.image, world.name, node.name)
+        texture = self.images.texture(node.image, world.name, node.name,
+                                      user=getattr(node, "image_user", None))
         if texture is None:
             return self.constant((1.0 * strength, 0.0, 1.0 * strength))
         look = self.look(texture, self.rotation(world, node))

@@ -9,15 +9,19 @@ import hashlib
 import json
 import os
 import subprocess
+import time
 
 import bpy
 
+from . import process
+
 JOB = os.path.join(os.path.dirname(__file__), "world_bake_job.py")
 SKY_WIDTH, MAX_WIDTH = 1024, 4096
-SAMPLES = 4
+SAMPLES = 4  # of worlds other than a sky alone
 SECONDS = 120
-_running = {}  # key -> process
+_running = {}  # key -> path of its files without suffix, and process
 _failed = {}   # key -> message
+_sent_again = set()  # keys whose process had quit without a result
 
 
 def content_of(tree):
@@ -67,6 +71,12 @@ def values_of(tree):
     return found
 
 
+def is_smooth(tree):
+    """Whether a world is a sky texture alone, maybe rotated."""
+    return {node.type for node in tree.nodes} <= {
+        "TEX_SKY", "BACKGROUND", "OUTPUT_WORLD", "MAPPING", "TEX_COORD", "REROUTE", "FRAME"}
+
+
 def width_for(tree):
     """Width of the picture: that of the largest image of the world within limits."""
     images = [node.image for node in tree.nodes if getattr(node, "image", None) is not None]
@@ -98,14 +108,13 @@ class Baker:
         text = content_of(world.node_tree) + json.dumps(sun)
         key = hashlib.blake2b(text.encode(), digest_size=8).hexdigest()
         result = os.path.join(self.folder, f"{key}.json")
-        if not os.path.exists(result) and key not in _failed:
+        while not os.path.exists(result) and key not in _failed:
             if key not in _running:
                 _running[key] = self._start(key, world, sun)
-            if self._on_ready is None:
-                finish(key, SECONDS)
-            else:
+            if self._on_ready is not None:
                 self._watch(key)
                 return None
+            finish(key, SECONDS)
         if key in _failed:
             raise RuntimeError(_failed[key])
         with open(result, encoding="utf-8") as file:
@@ -116,42 +125,95 @@ class Baker:
         base = os.path.join(self.folder, key)
         bpy.data.libraries.write(base + ".blend", {world.original}, path_remap="ABSOLUTE")
         request = {"blend": base + ".blend", "world": world.name, "width": width_for(world.node_tree),
-                   "samples": SAMPLES, "picture": base + ".exr", "result": base + ".part",
+                   "samples": 1 if is_smooth(world.node_tree) else SAMPLES,
+                   "picture": base + ".exr", "result": base + ".part", "error": base + ".error",
                    "sun": sun, "values": values_of(world.node_tree)}
         with open(base + ".request", "w", encoding="utf-8") as file:
             json.dump(request, file)
-        return base, subprocess.Popen(
-            [bpy.app.binary_path, "-b", "--factory-startup", "--python-exit-code", "3", "-P", JOB,
-             "--", base + ".request"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        job = BakeProcess.current()
+        job.send(base + ".request")
+        return base, job
 
     def _watch(self, key):
         """Calls on_ready from a timer of Blender when the process has ended."""
         ready = self._on_ready
 
         def look():
-            if key in _running and _running[key][1].poll() is None:
-                return .1
+            if key in _running and not ended(*_running[key]):
+                return .05
             finish(key, 0)
             ready()
             return None
         bpy.app.timers.register(look)
 
 
+class BakeProcess:
+    """Another Blender that renders worlds, one after the other. It stays for some minutes, because the
+    start of Blender takes longer than a sky."""
+
+    _processes = {}  # path of the script -> process
+
+    def __init__(self):
+        self._process = subprocess.Popen(
+            [bpy.app.binary_path, "-b", "--factory-startup", "--python-exit-code", "3", "-P", JOB],
+            stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, text=True)
+        process.remember(self)
+
+    @classmethod
+    def current(cls):
+        found = cls._processes.get(JOB)
+        if found is None or not found.running():
+            found = cls._processes[JOB] = cls()
+        return found
+
+    def send(self, path):
+        try:
+            self._process.stdin.write(path + "\n")
+            self._process.stdin.flush()
+        except OSError:
+            pass  # it has ended, which ended() finds
+
+    def running(self):
+        return self._process.poll() is None
+
+    def has_quit(self):
+        """Whether it ended because it had no request for some time. A request is sent again."""
+        return self._process.poll() == 0
+
+    def kill(self):
+        self._process.kill()
+        self._process.wait()
+
+
+def ended(base, job):
+    """Whether there is a result, an error, or no process any more."""
+    return os.path.exists(base + ".part") or os.path.exists(base + ".error") or not job.running()
+
+
 def finish(key, seconds):
-    """Waits for a process and keeps its result, or why there is none."""
+    """Waits for a result at most that long and keeps it, or why there is none."""
     if key not in _running:
         return
-    base, process = _running[key]
-    try:
-        code = process.wait(seconds if seconds else None)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        code = process.wait()
+    base, job = _running[key]
+    last = time.monotonic() + seconds
+    while not ended(base, job) and time.monotonic() < last:
+        time.sleep(.02)
     _running.pop(key, None)
-    if code == 0 and os.path.exists(base + ".part"):
+    if os.path.exists(base + ".part"):
         os.replace(base + ".part", base + ".json")
+    elif os.path.exists(base + ".error") or not job.has_quit() or key in _sent_again:
+        if not ended(base, job):
+            job.kill()
+        _failed[key] = "Cycles could not render it" + error_of(base)
     else:
-        _failed[key] = f"Cycles could not render it (exit code {code})"
-    for suffix in (".blend", ".request"):
+        _sent_again.add(key)
+    for suffix in (".blend", ".request", ".error"):
         if os.path.exists(base + suffix):
             os.remove(base + suffix)
+
+
+def error_of(base):
+    if not os.path.exists(base + ".error"):
+        return ""
+    with open(base + ".error", encoding="utf-8") as file:
+        return f" ({file.read().strip()})"

@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs in a Blender of its own: renders a world to a picture of all directions by Cycles.
+"""Runs in a Blender of its own: renders worlds to pictures of all directions by Cycles.
 
-    blender -b --factory-startup -P world_bake_job.py -- REQUEST.json
+    blender -b --factory-startup -P world_bake_job.py
 
-The request has the file of the world, its name, values of its nodes, the size of the picture and the
-sun: direction and angle of its disc, or null. Writes the picture without the disc, and RESULT with the irradiance of the
-disc.
+Each line of the standard input is the path of a request. It has the file of the world, its name, values
+of its nodes, the size of the picture and the sun: direction and angle of its disc, or null. Writes the
+picture without the disc, and a result with the irradiance of the disc, or an error. Ends with the input,
+or after some minutes without a request.
 """
 import json
 import math
 import os
+import select
 import sys
 
 import bpy
@@ -17,6 +19,7 @@ import mathutils
 import numpy
 
 DISC_PIXELS = 64
+IDLE_SECONDS = 300
 
 
 def stage(request):
@@ -29,7 +32,14 @@ def stage(request):
     scene.render.engine = "CYCLES"
     scene.cycles.device, scene.cycles.samples = "CPU", request["samples"]
     scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
-    scene.cycles.pixel_filter_type = "BOX"
+    scene.cycles.max_bounces = 0
+    # Skies are smooth: one sample in the middle of each pixel. Others are averaged.
+    scene.cycles.pixel_filter_type = "BOX" if request["samples"] > 1 else "GAUSSIAN"
+    scene.cycles.filter_width = 0.01
+    # No surface samples the world, so that it needs no importance map; the second picture of a sky
+    # shares the tables of the first one.
+    scene.world.cycles.sampling_method = "NONE"
+    scene.render.use_persistent_data = True
     scene.render.resolution_percentage = 100
     scene.render.image_settings.file_format = "OPEN_EXR"
     scene.render.image_settings.color_depth = "32"
@@ -107,15 +117,35 @@ def disc_irradiance(scene, request):
     return [float(v) for v in (disc * weight[..., None]).sum(axis=(0, 1))]
 
 
-def main():
-    with open(sys.argv[sys.argv.index("--") + 1], encoding="utf-8") as file:
+def bake(path):
+    with open(path, encoding="utf-8") as file:
         request = json.load(file)
-    scene = stage(request)
-    set_discs(scene.world, False)
-    panorama(scene, request)
-    result = {"sun": disc_irradiance(scene, request) if request["sun"] else None}
-    with open(request["result"], "w", encoding="utf-8") as file:
-        json.dump(result, file)
+    try:
+        scene = stage(request)
+        set_discs(scene.world, False)
+        panorama(scene, request)
+        result = {"sun": disc_irradiance(scene, request) if request["sun"] else None}
+    except Exception as error:  # pylint: disable=broad-except
+        write(request["error"], str(error))
+        return
+    write(request["result"], json.dumps(result))
+
+
+def write(path, text):
+    with open(path + ".new", "w", encoding="utf-8") as file:
+        file.write(text)
+    os.replace(path + ".new", path)
+
+
+def main():
+    rest, source = b"", sys.stdin.fileno()
+    while select.select([source], [], [], IDLE_SECONDS)[0]:
+        data = os.read(source, 1 << 16)
+        if not data:
+            break
+        *lines, rest = (rest + data).split(b"\n")
+        for line in lines:
+            bake(os.fsdecode(line))
 
 
 main()

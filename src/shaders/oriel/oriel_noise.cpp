@@ -114,9 +114,16 @@ float noise_value(const NoiseNode& n, const NoisePoint& p) {
 
 float finite_noise(float x) { return std::isfinite(x) ? x : 0; }
 
+constexpr int kWhiteNoise = 5;
+
 void give_noise(const Call& call, void* result) {
   const auto& n = call.as<NoiseNode>();
   NoisePoint p = procedural::noise_point(n.coord, n.w, n.dimensions, n.scale);
+  if (n.type == kWhiteNoise) {
+    const auto c = sampling::position_color({p.at, static_cast<std::size_t>(p.dimensions)});
+    *static_cast<Rgba*>(result) = n.color ? Rgba{c[0], c[1], c[2], 1} : Rgba{c[0], c[0], c[0], 1};
+    return;
+  }
   if (n.distortion != 0) {
     const NoisePoint before = p;
     for (int i = 0; i < p.dimensions; ++i)
@@ -144,9 +151,9 @@ constexpr ParamSpec kNoiseRows[] = {
     {ORIEL_PARAM(NoiseNode, distortion), .doc = "Movement of the coordinates by noise."},
     {ORIEL_PARAM(NoiseNode, offset), .doc = "Level of types 2 to 4."},
     {ORIEL_PARAM(NoiseNode, gain), .fallback = {1}, .doc = "Gain of types 2 and 3."},
-    {ORIEL_PARAM(NoiseNode, type), .min = 0, .max = 4,
+    {ORIEL_PARAM(NoiseNode, type), .min = 0, .max = kWhiteNoise,
      .doc = "0 sum, 1 multifractal, 2 hybrid multifractal, 3 ridged multifractal, 4 hetero "
-            "terrain."},
+            "terrain, 5 white noise: a random number of each place."},
     {ORIEL_PARAM(NoiseNode, dimensions), .fallback = {3}, .min = 1, .max = 4,
      .doc = "1 w, 2 x and y, 3 x, y and z, 4 all."},
     {ORIEL_PARAM(NoiseNode, normalize), .fallback = {1},

@@ -14,8 +14,8 @@ namespace oriel {
 //   Octave k has the frequency lacunarity^k and the amplitude roughness^k; the fraction of
 //   `octaves` weighs one octave more. Type 0: sum of the amplitudes times n, mapped to 0..1 if
 //   `normalize`. 1: product of amplitude n + 1. 2: octaves weighted by those below. 3: squares of
-//   offset - |n|. 4: steps relative to the height. With `color`, red, green and blue are three
-//   independent noises.
+//   offset - |n|. 4: steps relative to the height. 5: a random number of the coordinate times
+//   `scale`, without octaves. With `color`, red, green and blue are three independent noises.
 // Source:  Musgrave, in Ebert et al., "Texturing and Modeling", 1994, chapter 14; Blender's manual,
 //          Noise and Musgrave Texture Nodes.
 // Checked: tests/blender against Cycles; tests/effects

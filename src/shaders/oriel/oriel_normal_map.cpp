@@ -2,6 +2,7 @@
 #include "shaders/oriel/oriel_normal_map.h"
 
 #include "runtime/bump.h"
+#include "runtime/texture_direction.h"
 #include "runtime/texture_node.h"
 
 namespace oriel {
@@ -11,6 +12,8 @@ struct NormalMap {
   VectorTextureRef tex;
   float factor;
   int bump_mode;
+  Rgba color;
+  int space;
 };
 
 constexpr ParamSpec kOrielNormalMapRows[] = {
@@ -20,20 +23,30 @@ constexpr ParamSpec kOrielNormalMapRows[] = {
     {ORIEL_PARAM(NormalMap, bump_mode), .fallback = {5}, .min = 0, .max = 8,
      .doc = "bump_mode of mia_material_x, which defines the returned vector; 0 changes the "
             "normal and returns nothing."},
+    {ORIEL_PARAM(NormalMap, color), .fallback = {.5f, .5f, 1, 1},
+     .doc = "Colour of the map where tex is null, such as the result of other shaders."},
+    {ORIEL_PARAM(NormalMap, space), .fallback = {0}, .min = 0, .max = kMaxTextureSpaces - 1,
+     .doc = "Texture space of the tangent, and of the coordinate of tex."},
 };
 
 /// The normal from the picture, on the viewer's side like that of the point.
 Vec3 mapped_normal(const NormalMap& p, ShadingPoint& point) {
-  if (!p.tex.texture || p.tex.texture->missing() || point.texture_spaces == 0) return point.normal;
-  const bool given = point.bump_u[0] != Vec3(0);
-  const Vec3 along_u = given ? point.bump_u[0] : point.dpdu;
-  const Vec3 along_v = given ? point.bump_v[0] : point.dpdv;
+  if ((p.tex.texture && p.tex.texture->missing()) || p.space < 0 || p.space >= point.texture_spaces)
+    return point.normal;
+  const auto space = static_cast<std::size_t>(p.space);
+  Vec3 along_u = point.bump_u[space], along_v = point.bump_v[space];
+  if (along_u == Vec3(0)) {
+    const TextureDirections own = p.space == 0 ? TextureDirections{point.dpdu, point.dpdv}
+                                               : texture_directions(point, p.space);
+    along_u = own.by_u, along_v = own.by_v;
+  }
   const Vec3 front = point.back_side ? -point.normal : point.normal;
   const Vec3 tangent = normalize(along_u - front * dot(front, along_u));
   if (tangent == Vec3(0)) return point.normal;
   Vec3 bitangent = cross(front, tangent);
   if (dot(bitangent, along_v) < 0) bitangent = -bitangent;
-  const Rgba c = p.tex.texture->lookup(Vec2(point.tex[0].x, point.tex[0].y), point, {});
+  const Vec3& at = point.tex[space];
+  const Rgba c = p.tex.texture ? p.tex.texture->lookup(Vec2(at.x, at.y), point, {}) : p.color;
   const Vec3 n = tangent * ((2 * c.r - 1) * p.factor) + bitangent * ((2 * c.g - 1) * p.factor) +
                  front * (2 * c.b - 1);
   if (!(dot(n, n) > 0)) return point.normal;

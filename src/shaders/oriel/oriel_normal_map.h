@@ -15,9 +15,10 @@ namespace oriel {
 //   (x, y, z) = 2 colour - 1, x and y times `factor`, in the frame of tangent, bitangent and front
 //   normal, normalised. The tangent is in the direction of increasing u, perpendicular to the
 //   normal. The bitangent is perpendicular to both, on the side of increasing v, so it is inverted
-//   for mirrored coordinates. The directions are the bump basis of the first texture space, else
-//   the derivatives of its coordinates. Green points up in the picture. Without texture space,
-//   picture or frame the normal is unchanged.
+//   for mirrored coordinates. The directions are the bump basis of the texture space `space`, else
+//   the derivatives of its coordinates. Green points up in the picture. Without texture space or
+//   frame the normal is unchanged. Without `tex` the colour is `color`, which other shaders may
+//   compute.
 // Source:  glTF 2.0, 3.9.3 (normalTexture); the frame as in Mikkelsen, "Simulation of Wrinkled
 //          Surfaces Revisited", 2008.
 // Checked: NormalMap.* in tests/shader_binding, NormalMapOfModels.* in tests/imported
