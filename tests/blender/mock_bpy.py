@@ -92,7 +92,8 @@ def install(release):
     bpy.app = Data(version=release, tempdir="/tmp", binary_path="blender")
     bpy.path = Data(abspath=lambda path, library=None: path)
     bpy.types, bpy.props = Anything("bpy.types"), Anything("bpy.props")
-    bpy.utils, bpy.ops, bpy.data = Data(), Data(), Data()
+    bpy.utils = Data(register_classes_factory=lambda classes: (lambda: None, lambda: None))
+    bpy.ops, bpy.data = Data(), Data()
     sys.modules.update({"bpy": bpy, "bpy.props": bpy.props, "bpy.types": bpy.types})
     for name in ("bmesh", "mathutils"):
         sys.modules[name] = types.ModuleType(name)

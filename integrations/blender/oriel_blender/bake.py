@@ -169,12 +169,4 @@ class ORIEL_PT_bake(bpy.types.Panel):
 
 CLASSES = (ORIEL_OT_bake, ORIEL_PT_bake)
 
-
-def register():
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister():
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

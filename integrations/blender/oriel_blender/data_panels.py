@@ -191,12 +191,4 @@ CLASSES = (ORIEL_PT_film, ORIEL_PT_override, ORIEL_PT_lightgroups, ORIEL_PT_worl
            ORIEL_PT_light, ORIEL_PT_light_nodes, ORIEL_PT_panorama, ORIEL_PT_volume,
            ORIEL_PT_displacement)
 
-
-def register():
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister():
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = bpy.utils.register_classes_factory(CLASSES)
