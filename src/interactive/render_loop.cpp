@@ -334,18 +334,20 @@ void RenderLoop::make_session() {
 }
 
 bool RenderLoop::run_final(const std::atomic<bool>& cancel) {
-  // A picture with fewer samples than the draft has would look worse.
-  const auto is_better = [this] { return session_->film().mean_samples() >= draft_samples_; };
+  // A picture with fewer samples than the draft has would look worse. Asked between passes only: it
+  // reads the whole film.
+  bool is_better = session_->film().mean_samples() >= draft_samples_;
   Progressive::Callbacks callbacks;
   callbacks.progress = [this](const Progress& p) { set_progress(p, 1); };
   callbacks.pass = [&](const Progress& p) {
     count_messages();
     set_progress(p, 1);
-    if (is_better() && (first_picture_ || p.pass <= 1 || is_copy_due()))
+    is_better = session_->film().mean_samples() >= draft_samples_;
+    if (is_better && (first_picture_ || p.pass <= 1 || is_copy_due()))
       copy_picture(*session_, 1, false);
   };
   callbacks.wants_pause = [&] {
-    return session_->progress().pass > 0 && is_copy_due() && is_better();
+    return is_better && session_->progress().pass > 0 && is_copy_due();
   };
   callbacks.paused = [this] { copy_picture(*session_, 1, false); };
   callbacks.spread = [this](const std::vector<int>& tiles, const auto& render_tile, const auto&) {
