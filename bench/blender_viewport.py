@@ -61,7 +61,6 @@ def changes_of(bpy, space):
 
 
 def steps(bpy, scene, count):
-    import support  # noqa: F401  enables the add-on
     from oriel_blender import viewport
     area = next(a for a in bpy.context.window_manager.windows[0].screen.areas if a.type == "VIEW_3D")
     space = area.spaces.active
@@ -102,25 +101,10 @@ def steps(bpy, scene, count):
 
 
 def inside(bpy):
+    import support  # enables the add-on
     scene, count = sys.argv[sys.argv.index("--") + 1:]
     bpy.context.preferences.view.show_splash = False
-    running, state = steps(bpy, scene, int(count)), {"ready": None, "end": time.monotonic() + 200}
-
-    def tick():
-        try:
-            if time.monotonic() < state["end"]:
-                if state["ready"] is None or state["ready"]():
-                    state["ready"] = next(running)
-                return .01
-        except StopIteration:
-            pass
-        except Exception:
-            import traceback
-            traceback.print_exc()
-        bpy.ops.wm.quit_blender()
-        return None
-
-    bpy.app.timers.register(tick, first_interval=1.0)
+    support.run_steps(steps(bpy, scene, int(count)), .01, 200)
 
 
 try:

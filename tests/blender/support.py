@@ -3,6 +3,7 @@
 import os
 import pathlib
 import sys
+import traceback
 
 import bpy
 import numpy
@@ -160,3 +161,25 @@ def save_png(pixels, path):
     image.filepath_raw, image.file_format = str(path), "PNG"
     image.save()
     bpy.data.images.remove(image)
+
+
+def run_steps(steps, interval, seconds):
+    """Continues a generator of conditions, each when the one before holds; then ends Blender."""
+    state = {"ready": None, "left": round(seconds / interval)}
+
+    def tick():
+        try:
+            if state["ready"] is None or state["ready"]():
+                state["ready"] = next(steps)
+            state["left"] -= 1
+            if state["left"] <= 0:
+                raise AssertionError("the viewport did not finish in time")
+            return interval
+        except StopIteration:
+            pass
+        except Exception:
+            traceback.print_exc()
+        bpy.ops.wm.quit_blender()
+        return None
+
+    bpy.app.timers.register(tick, first_interval=1.0)

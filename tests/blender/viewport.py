@@ -6,7 +6,6 @@ import os
 import pathlib
 import signal
 import sys
-import traceback
 
 import bpy
 import numpy
@@ -210,24 +209,4 @@ def prepare():
 
 bpy.context.preferences.view.show_splash = False  # it would cover the view
 record_skies()
-steps = prepare()
-state = {"ready": None, "left": 1500}
-
-
-def tick():
-    try:
-        if state["ready"] is None or state["ready"]():
-            state["ready"] = next(steps)
-        state["left"] -= 1
-        if state["left"] <= 0:
-            raise AssertionError("the viewport did not finish in time")
-        return WAIT
-    except StopIteration:
-        pass
-    except Exception:
-        traceback.print_exc()
-    bpy.ops.wm.quit_blender()
-    return None
-
-
-bpy.app.timers.register(tick, first_interval=1.0)
+support.run_steps(prepare(), WAIT, 300)
