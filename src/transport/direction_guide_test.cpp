@@ -112,7 +112,7 @@ TEST(DirectionGuide, APlaceHasTheLightOfItsPoints) {
       const Vec3 w = frame.to_world(sampling::sample_cosine_hemisphere(centre(i)));
       if (local.density(w) > most) most = local.density(w), best = i;
     }
-    EXPECT_GT(most, 50);
+    EXPECT_GT(most, 30);
     EXPECT_NEAR(local.light().y, 1, 1e-3f);
     EXPECT_NEAR(local.light().x / float(best), 1, .15f) << "the points of the cell, not all";
     return best;
@@ -121,6 +121,24 @@ TEST(DirectionGuide, APlaceHasTheLightOfItsPoints) {
   EXPECT_EQ(brightest(Vec3(.9f, .3f, 0), Vec3(0, 0, 1)), 70u);
   EXPECT_EQ(brightest(Vec3(-.9f, .3f, 1), Vec3(0, 0, -1)), 200u);
   EXPECT_EQ(brightest(Vec3(5, 5, 5), normalize(Vec3(.1f, 0, -1))), 200u) << "outside";
+}
+
+TEST(DirectionGuide, NeighbouringDirectionsShareTheirLight) {
+  const std::vector<GuidePoint> points(1, point_of(Vec3(0), Vec3(0, 0, 1), 5 * kGuideSide + 7));
+  const DirectionGuide guide(geom::Box3(Vec3(-1), Vec3(1)), points);
+  const LocalGuide local = guide.at(Vec3(0), Vec3(0, 0, 1));
+  const auto guided = [&](std::size_t row, std::size_t column) {
+    const Vec3 w =
+        guide_frame(Vec3(0, 0, 1))
+            .to_world(sampling::sample_cosine_hemisphere(centre(row * kGuideSide + column)));
+    return local.density(w) - GuideDensity::kUnguided;
+  };
+  // Weights 4, 2 and 1 of 16.
+  constexpr float kAll = (1 - GuideDensity::kUnguided) * kGuideCells;
+  EXPECT_NEAR(guided(5, 7), kAll / 4, 1e-2f);
+  EXPECT_NEAR(guided(4, 7), kAll / 8, 1e-2f);
+  EXPECT_NEAR(guided(6, 8), kAll / 16, 1e-2f);
+  EXPECT_NEAR(guided(5, 9), 0, 1e-2f);
 }
 
 TEST(DirectionGuide, WithoutPointsIsEmpty) {
