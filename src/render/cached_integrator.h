@@ -61,6 +61,7 @@ class CachedIntegrator final : public Integrator {
   bool learns() const;
   void learn(const IntegratorPreparation& p);
   void trace_sharp_caustics(const IntegratorPreparation& p);
+  void use_chains();
   void trace_photon_maps(const IntegratorPreparation& p);
   void use_photon_maps();
   GatherPasses gather_passes(std::uint32_t seed);
@@ -78,6 +79,7 @@ class CachedIntegrator final : public Integrator {
   PathSettings paths_;  ///< behind a diffuse surface
   PhotonMaps photons_;
   SharpCaustics sharp_;
+  ManifoldCaustics chains_;
   Bounces bounces_;
   GatherCache cache_;
   std::optional<GlossyGrid> grid_;
