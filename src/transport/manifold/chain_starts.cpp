@@ -16,6 +16,13 @@ constexpr std::size_t kEnough = 8;
 /// the others to be skipped.
 constexpr std::size_t kMostPhotons = 64, kConvinced = 12;
 constexpr int kCoordinateBits = 20;
+/// Number of rays of one pass over all starts up to which every vertex searches.
+constexpr float kCheap = 6;
+/// Share of the light from which on every vertex searches. An estimate: errors of photon maps are
+/// about a tenth of their light, so less is hardly visible.
+constexpr float kVisible = 0.25f;
+/// Least factors of the chance by rays and by light.
+constexpr float kLeastChance = 0.125f;
 
 struct Order {
   std::uint64_t key;
@@ -23,32 +30,67 @@ struct Order {
   bool operator<(const Order& o) const { return key != o.key ? key < o.key : photon < o.photon; }
 };
 
-/// The starts of the photons of one cell.
-std::vector<ChainStart> choose_starts(std::span<const Order> cell,
-                                      const std::vector<const ChainPhoton*>& photons,
-                                      const ChainStarts::Finds& finds, RayCounts& counts) {
+/// Concentration of a chain over the mean of its cell up to which the search is used. At a fold
+/// of a caustic, whose irradiance grows as 1 / sqrt(distance), the rest is a thousandth of the
+/// width of a cell.
+constexpr float kSpike = 32;
+
+struct Chosen {
   std::vector<ChainStart> starts;
+  float limit = 0;
+  float chance = 0;
+};
+
+/// The starts of the photons of one cell.
+Chosen choose_starts(std::span<const Order> cell, const std::vector<const ChainPhoton*>& photons,
+                     const ChainStarts::Finds& finds, RayCounts& counts) {
+  Chosen chosen;
+  std::vector<ChainStart>& starts = chosen.starts;
+  // Photons are as dense as their chains are concentrated, so the harmonic mean over photons is the
+  // mean over places.
+  float inverse = 0, known = 0;
+  const auto take = [&](float concentration) {
+    if (!(concentration > 0)) return false;
+    inverse += 1 / concentration;
+    ++known;
+    return true;
+  };
   std::size_t in_sequence = 0;
   for (const Order& o : cell.first(std::min(cell.size(), kMostPhotons))) {
     const ChainPhoton& p = *photons[o.photon];
-    if (finds(starts, p, counts)) {
+    if (take(finds(starts, p, counts))) {
       if (++in_sequence == kConvinced) break;
       continue;
     }
     in_sequence = 0;
     const ChainStart own{p.chain.kind, p.chain.last};
-    if (!finds({&own, 1}, p, counts)) continue;
+    if (!take(finds({&own, 1}, p, counts))) continue;
     starts.push_back(own);
     if (starts.size() == ChainStarts::kMostStarts) break;
   }
-  return starts;
+  if (known > 0) chosen.limit = kSpike * known / inverse;
+  return chosen;
+}
+
+float chance_by_rays(const std::vector<ChainStart>& starts) {
+  float rays = 0;
+  for (const ChainStart& start : starts) rays += static_cast<float>(start.kind.count) + 1;
+  return clamp(kCheap / rays, kLeastChance, 1);
+}
+
+/// Irradiance of a surface across a cell.
+float irradiance_of(std::span<const Order> cell, const std::vector<const ChainPhoton*>& photons,
+                    float size) {
+  float power = 0;
+  for (const Order& o : cell) power += max_component(photons[o.photon]->photon.power);
+  return power / sqr(size);
 }
 
 }  // namespace
 
 ChainStarts::ChainStarts(const std::vector<const ChainPhoton*>& photons, const Finds& finds,
-                         const Vec3& low, float size, RayCounts& counts,
-                         const ProgressMonitor& monitor)
+                         const ShareOfLight& share_of_light, const Vec3& low, float size,
+                         RayCounts& counts, const ProgressMonitor& monitor)
     : low_(low), size_(size) {
   std::vector<Order> order(photons.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i].photon = static_cast<std::uint32_t>(i);
@@ -67,16 +109,25 @@ ChainStarts::ChainStarts(const std::vector<const ChainPhoton*>& photons, const F
         left.insert(left.end(), cell.begin(), cell.end());
       i = end;
     }
-    std::vector<std::vector<ChainStart>> chosen(cells.size());
+    std::vector<Chosen> chosen(cells.size());
     std::vector<RayCounts> traced(cells.size());
     parallel_for(cells.size(), [&](std::size_t i) {
-      if (!monitor.cancelled()) chosen[i] = choose_starts(cells[i], photons, finds, traced[i]);
+      if (monitor.cancelled()) return;
+      chosen[i] = choose_starts(cells[i], photons, finds, traced[i]);
+      if (chosen[i].starts.empty()) return;
+      const float irradiance =
+          irradiance_of(cells[i], photons, size * static_cast<float>(1 << level));
+      const float share = share_of_light(*photons[cells[i].front().photon], irradiance, traced[i]);
+      chosen[i].chance =
+          chance_by_rays(chosen[i].starts) * clamp(share / kVisible, kLeastChance, 1);
     });
     for (std::size_t i = 0; i < cells.size(); ++i) {
       counts += traced[i];
+      const Chosen& c = chosen[i];
       cells_.push_back({cells[i].front().key, static_cast<std::uint32_t>(starts_.size()),
-                        static_cast<std::uint32_t>(chosen[i].size())});
-      starts_.insert(starts_.end(), chosen[i].begin(), chosen[i].end());
+                        static_cast<std::uint16_t>(c.starts.size()),
+                        static_cast<std::uint16_t>(std::ceil(c.chance * kCertain)), c.limit});
+      starts_.insert(starts_.end(), c.starts.begin(), c.starts.end());
     }
     monitor.report("caustics", 0.5 * (level + 1) / kLevels);
     order = std::move(left);
@@ -115,18 +166,22 @@ const ChainStarts::Cell* ChainStarts::find(std::uint64_t key) const {
   }
 }
 
-std::span<const ChainStart> ChainStarts::at(const Vec3& position) const {
+ChainStarts::Found ChainStarts::at(const Vec3& position) const {
   if (starts_.empty()) return {};
   for (int level = 0; level < kLevels; ++level)
     if (const Cell* cell = find(key_of(position, level)))
-      return {starts_.data() + cell->first, cell->count};
+      return {{starts_.data() + cell->first, cell->count},
+              static_cast<float>(cell->chance) / kCertain,
+              cell->limit};
   return {};
 }
 
 bool ChainStarts::is_valid(std::size_t lights, std::size_t instances) const {
   if (!is_finite(low_) || !(size_ > 0)) return false;
   for (const Cell& cell : cells_)
-    if (cell.first > starts_.size() || cell.count > starts_.size() - cell.first) return false;
+    if (cell.first > starts_.size() || cell.count > starts_.size() - cell.first ||
+        cell.count > kMostStarts || (cell.count > 0) != (cell.chance > 0))
+      return false;
   for (const ChainStart& start : starts_) {
     const ChainKind& kind = start.kind;
     if (kind.light < 0 || static_cast<std::size_t>(kind.light) >= lights) return false;

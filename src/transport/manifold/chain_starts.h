@@ -33,15 +33,25 @@ class ChainStarts {
   static constexpr std::size_t kMostStarts = 6;
 
   ChainStarts() = default;
-  /// Whether the search finds the chain of a photon at its place from these starts.
-  using Finds = std::function<bool(std::span<const ChainStart>, const ChainPhoton&, RayCounts&)>;
+  /// Concentration of the chain of a photon, if the search finds it from these starts at the
+  /// photon's place; otherwise 0.
+  using Finds = std::function<float(std::span<const ChainStart>, const ChainPhoton&, RayCounts&)>;
+  /// Share of the caustics in the light at a photon's place, if they bring the given irradiance.
+  using ShareOfLight = std::function<float(const ChainPhoton&, float irradiance, RayCounts&)>;
   /// Inputs:  photons: those that may give starts; low: lower corner of the scene; size: of the
   ///          smallest cells, scene units.
-  ChainStarts(const std::vector<const ChainPhoton*>& photons, const Finds& finds, const Vec3& low,
-              float size, RayCounts& counts, const ProgressMonitor& monitor);
+  ChainStarts(const std::vector<const ChainPhoton*>& photons, const Finds& finds,
+              const ShareOfLight& share_of_light, const Vec3& low, float size, RayCounts& counts,
+              const ProgressMonitor& monitor);
 
   bool empty() const { return starts_.empty(); }
-  std::span<const ChainStart> at(const Vec3& position) const;
+  struct Found {
+    std::span<const ChainStart> starts;
+    float chance = 0;  ///< probability with which a vertex searches, above 0 if there are starts
+    /// Largest concentration of chains: spikes much higher than the mean of a cell are noise.
+    float limit = 0;
+  };
+  Found at(const Vec3& position) const;
   std::size_t bytes() const {
     return cells_.size() * sizeof(Cell) + starts_.size() * sizeof(ChainStart) +
            table_.size() * sizeof(std::uint32_t);
@@ -62,8 +72,13 @@ class ChainStarts {
  private:
   struct Cell {
     std::uint64_t key = 0;
-    std::uint32_t first = 0, count = 0;
+    std::uint32_t first = 0;
+    std::uint16_t count = 0;
+    std::uint16_t chance = 0;  ///< in 65535ths
+    float limit = 0;
+    std::uint32_t unused = 0;  ///< all bytes of checkpoints are determined
   };
+  static constexpr float kCertain = 65535;
   std::uint64_t key_of(const Vec3& position, int level) const;
   const Cell* find(std::uint64_t key) const;
   void make_table();

@@ -9,15 +9,13 @@ namespace {
 
 /// Difference of unit directions up to which two solutions are the same.
 constexpr float kSameSolution = 2e-3f;
-/// Number of rays of one pass over all starts up to which every vertex searches, and least chance.
-constexpr float kCheap = 6, kLeastChance = 0.125f;
 
 bool is_same(const Vec3& a, const Vec3& b) { return (a - b).length2() < sqr(kSameSolution); }
 
 }  // namespace
 
-bool finds_chain(const World& world, std::span<const ChainStart> starts, const ChainPhoton& p,
-                 RayCounts& counts) {
+float finds_chain(const World& world, std::span<const ChainStart> starts, const ChainPhoton& p,
+                  RayCounts& counts) {
   const ChainReceiver from{p.photon.position, p.photon.normal, p.chain.offset, 0};
   const ChainKind& kind = p.chain.kind;
   const bool endless =
@@ -29,25 +27,20 @@ bool finds_chain(const World& world, std::span<const ChainStart> starts, const C
     if (!(dot(first, from.normal) > 0)) continue;
     const auto chain = find_chain(world, from, kind, first, target, counts);
     if (chain && is_same(chain->first, -p.photon.direction))
-      return passed_by_chain(world, from, kind, *chain, target, counts).has_value();
+      return passed_by_chain(world, from, kind, *chain, target, counts)
+                 ? concentration(kind, *chain, target)
+                 : 0.0f;
   }
-  return false;
+  return 0;
 }
 
-float ManifoldCaustics::chance_of(std::span<const ChainStart> starts) {
-  float rays = 0;
-  for (const ChainStart& start : starts) rays += static_cast<float>(start.kind.count) + 1;
-  return clamp(kCheap / rays, kLeastChance, 1);
-}
-
-void ManifoldCaustics::search(const World& world, std::span<const ChainStart> starts,
-                              const ChainReceiver& from, const Vec2& u, Arrivals& arrivals,
-                              RayCounts& counts) const {
-  const ChainKind* kinds[kMostArrivals];
-  Vec3 solutions[kMostArrivals];
+void search_chains(const World& world, const ChainStarts::Found& at, const ChainReceiver& from,
+                   const Vec2& u, ChainArrivals& arrivals, RayCounts& counts) {
+  const ChainKind* kinds[ChainStarts::kMostStarts];
+  Vec3 solutions[ChainStarts::kMostStarts];
   int solved = 0, light = -1;
   ChainLight end;
-  for (const ChainStart& start : starts) {
+  for (const ChainStart& start : at.starts) {
     const Vec3 first = normalize(start.towards - from.position);
     if (!(dot(first, from.normal) > 0)) continue;
     const Light& source = world.lights[static_cast<std::size_t>(start.kind.light)];
@@ -60,10 +53,11 @@ void ManifoldCaustics::search(const World& world, std::span<const ChainStart> st
     if (known) continue;
     kinds[solved] = &start.kind;
     solutions[solved++] = chain->first;
+    const float factor = concentration(start.kind, *chain, end.target);
+    if (!(factor <= at.limit)) continue;
     const auto passed = passed_by_chain(world, from, start.kind, *chain, end.target, counts);
     if (!passed) continue;
-    const Rgb irradiance = light_of_chain(world, source, end, *chain) * *passed *
-                           concentration(start.kind, *chain, end.target);
+    const Rgb irradiance = light_of_chain(world, source, end, *chain) * *passed * factor;
     if (is_black(irradiance) || !is_finite(irradiance)) continue;
     arrivals.of[arrivals.count++] = {chain->first, irradiance, light};
   }

@@ -37,9 +37,10 @@ void Path::take_caustics(const Closure& closure, ShadingPoint& point) {
   front.parts.clear(layers);
   behind.parts.clear(layers);
 
-  std::span<const ChainStart> starts;
-  if (maps.chains && !depth_.after_diffuse) starts = maps.chains->starts_at(point.position);
-  const float chance = starts.empty() ? 0 : ManifoldCaustics::chance_of(starts);
+  ChainStarts::Found found;
+  if (maps.chains && !depth_.after_diffuse) found = maps.chains->starts_at(point.position);
+  const std::span<const ChainStart> starts = found.starts;
+  const float chance = found.chance;
   sampling::Sampler stream;
   if (!starts.empty()) stream = sampler_.split(0, 1, kSearchBranch);
   const bool searches = !starts.empty() && stream.next_1d() < chance;
@@ -74,9 +75,9 @@ void Path::take_caustics(const Closure& closure, ShadingPoint& point) {
     if (!searches || !lit_sides[passes]) continue;
     SideLight& side = passes ? behind : front;
     const Vec3 normal = passes ? -point.geometric_normal : point.geometric_normal;
-    ManifoldCaustics::Arrivals arrivals;
-    maps.chains->search(world_, starts, {point.position, normal, point.ray_offset, point.time}, u,
-                        arrivals, counts_);
+    ChainArrivals arrivals;
+    search_chains(world_, found, {point.position, normal, point.ray_offset, point.time}, u,
+                  arrivals, counts_);
     for (int i = 0; i < arrivals.count; ++i) {
       const ChainArrival& a = arrivals.of[i];
       const Rgb shown = evaluate_closure(closure, {}, point, point.wo(), a.wi).diffuse.value;
