@@ -24,7 +24,7 @@ namespace oriel {
 ///          With photons alone, chosen by name, the environment emits as well. Otherwise its light
 ///          comes by final gathering and portals. Path tracing with `caustic on` reads photons
 ///          for the caustics that paths hardly find (SharpCaustics), without energy statements and
-///          without files.
+///          without files; what the camera sees searches for their chains (ManifoldCaustics).
 ///          Files: photonmap and finalgather `rebuild` on: computed and written. Off: read if they
 ///          exist; photons are then not traced, gather points are added; then written.
 ///          `finalgather rebuild freeze`: read and used unchanged.
