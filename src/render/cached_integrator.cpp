@@ -12,6 +12,7 @@
 #include "render/cache_state.h"
 #include "render/learn_light.h"
 #include "transport/gather/gather_map.h"
+#include "transport/manifold/manifold_build.h"
 #include "transport/path/pilot_paths.h"
 #include "transport/photon/photon_edges.h"
 #include "transport/photon/photon_trace.h"
@@ -224,9 +225,24 @@ void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {
 void CachedIntegrator::trace_sharp_caustics(const IntegratorPreparation& p) {
   sharp_ = SharpCaustics(world_);
   if (sharp_.empty()) return;
-  photons_ = trace_photons(world_, sharp_photon_settings(world_, sharp_, p.seed), p.counts, nullptr,
-                           p.monitor);
+  ChainLog log;
+  PhotonSettings settings = sharp_photon_settings(world_, sharp_, p.seed);
+  settings.chains = &log;
+  photons_ = trace_photons(world_, settings, p.counts, nullptr, p.monitor);
   use_photon_maps();
+  if (p.monitor.cancelled()) return;
+  chains_ = build_manifold_caustics(world_, log, maps_.caustic_lookup.radius,
+                                    settings.merge_caustic, p.counts, p.monitor);
+  use_chains();
+}
+
+/// What the search misses is little and has few photons: its estimates take larger discs.
+void CachedIntegrator::use_chains() {
+  if (chains_.empty()) return;
+  constexpr float kMissedRadius = 2;
+  maps_.chains = &chains_;
+  maps_.missed_lookup = maps_.caustic_lookup;
+  maps_.missed_lookup.radius *= kMissedRadius;
 }
 
 void CachedIntegrator::use_photon_maps() {
@@ -332,6 +348,7 @@ void CachedIntegrator::save_maps(Out& out) {
   out.value(static_cast<std::uint8_t>(read_files_));
   photons_.global.visit_state(out);
   photons_.caustic.visit_state(out);
+  chains_.visit_state(out);
   save_cache(out, bounces_.cache);
   out.value(static_cast<std::int32_t>(bounces_.held));
   save_cache(out, cache_);
@@ -354,6 +371,8 @@ void CachedIntegrator::restore_maps(In& in, const IntegratorPreparation& p) {
     map->visit_state(in);
     if (!map->is_valid()) throw CheckpointError("its photons are invalid");
   }
+  chains_.visit_state(in);
+  if (!chains_.is_valid(world_)) throw CheckpointError("its caustics are invalid");
   bounces_.cache = restore_cache(in);
   std::int32_t held = 0;
   in.value(held);
@@ -363,6 +382,7 @@ void CachedIntegrator::restore_maps(In& in, const IntegratorPreparation& p) {
   cache_ = restore_cache(in);
   if (plan_.sharp_caustics) sharp_ = SharpCaustics(world_);
   if (plan_.global || plan_.caustic || !sharp_.empty()) use_photon_maps();
+  use_chains();
   if (plan_.gather) {
     const GatherPasses passes = gather_passes(p.seed);
     bounces_.query = bounces_query(world_);

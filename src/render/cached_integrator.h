@@ -24,7 +24,7 @@ namespace oriel {
 ///          With photons alone, chosen by name, the environment emits as well. Otherwise its light
 ///          comes by final gathering and portals. Path tracing with `caustic on` reads photons
 ///          for the caustics that paths hardly find (SharpCaustics), without energy statements and
-///          without files.
+///          without files; what the camera sees searches for their chains (ManifoldCaustics).
 ///          Files: photonmap and finalgather `rebuild` on: computed and written. Off: read if they
 ///          exist; photons are then not traced, gather points are added; then written.
 ///          `finalgather rebuild freeze`: read and used unchanged.
@@ -61,6 +61,7 @@ class CachedIntegrator final : public Integrator {
   bool learns() const;
   void learn(const IntegratorPreparation& p);
   void trace_sharp_caustics(const IntegratorPreparation& p);
+  void use_chains();
   void trace_photon_maps(const IntegratorPreparation& p);
   void use_photon_maps();
   GatherPasses gather_passes(std::uint32_t seed);
@@ -78,6 +79,7 @@ class CachedIntegrator final : public Integrator {
   PathSettings paths_;  ///< behind a diffuse surface
   PhotonMaps photons_;
   SharpCaustics sharp_;
+  ManifoldCaustics chains_;
   Bounces bounces_;
   GatherCache cache_;
   std::optional<GlossyGrid> grid_;

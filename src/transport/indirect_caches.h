@@ -4,6 +4,7 @@
 
 #include "runtime/shading_point.h"
 #include "transport/gather/gather_cache.h"
+#include "transport/manifold/manifold_caustics.h"
 #include "transport/photon/photon_map.h"
 #include "transport/photon/sharp_caustics.h"
 #include "transport/surface.h"
@@ -45,6 +46,9 @@ struct IndirectCaches {
   /// The caustics that the map contains; null = all. Rays add the others.
   const SharpCaustics* sharp = nullptr;
   PhotonLookup caustic_lookup;
+  /// Searched at what the camera sees, to correct the caustic map there; null = not.
+  const ManifoldCaustics* chains = nullptr;
+  PhotonLookup missed_lookup;  ///< of ManifoldCaustics::missed()
 };
 
 }  // namespace oriel

@@ -10,16 +10,12 @@
 #include "transport/path/path_walk.h"
 
 namespace oriel {
-namespace {
 
-/// Directional albedo of the lobe.
 Rgb albedo_of(const Lobe& lobe, const Vec3& wo) {
   if (lobe.kind != LobeKind::Diffuse || lobe.roughness == 0 || lobe.inverse_albedo > 0)
     return lobe.weight;
   return lobe.weight * bsdf::OrenNayar(lobe.roughness).albedo(dot(wo, lobe.frame.n));
 }
-
-}  // namespace
 
 /// Gathered irradiance at a point that the camera sees.
 std::optional<Gathered> Path::gathered(const ShadingPoint& point, const Vec3& normal,
@@ -110,13 +106,12 @@ void Path::emulate(const Closure& closure, const ShadingPoint& point) {
 
 /// Adds light of the caches on diffuse lobes. True: no diffuse rays are needed.
 bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
-  const IndirectCaches& maps = *settings_.maps;
-  Rgb on_side(0), through(0), caustic(0), caustic_through(0);
+  take_caustics(closure, point);
+  Rgb on_side(0), through(0);
   // Light layers, if requested.
-  LightParts parts, on_side_parts, through_parts, caustic_parts, caustic_through_parts;
+  LightParts parts, on_side_parts, through_parts;
   const std::size_t layers = record_->requested.light_layers;
-  for (LightParts* p : {&on_side_parts, &through_parts, &caustic_parts, &caustic_through_parts})
-    p->clear(layers);
+  for (LightParts* p : {&on_side_parts, &through_parts}) p->clear(layers);
   const auto add_to = [&](Rgb& sum, LightParts& sums, const Rgb& factor, const Rgb& light) {
     sum += factor * light;
     for (std::size_t i = 0; i < layers; ++i) sums.of[i] += factor * parts.of[i];
@@ -132,14 +127,6 @@ bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
     const bool passes = lobe.kind == LobeKind::Translucency;
     const Vec3 normal = lit_side(lobe);
     const Rgb albedo = albedo_of(lobe, point.wo()) * kInvPi;
-    if (maps.caustic && allows(kReceivesCaustics)) {
-      parts.clear(layers);
-      const Rgb light = irradiance_at(*maps.caustic, point, facing(point.geometric_normal, normal),
-                                      maps.caustic_lookup, layers > 0 ? parts.data() : nullptr,
-                                      world_.light_layers.unknown());
-      add_to(passes ? caustic_through : caustic, passes ? caustic_through_parts : caustic_parts,
-             albedo, light);
-    }
     if (const auto irradiance = mapped_irradiance(point, normal, parts))
       add_to(passes ? through : on_side, passes ? through_parts : on_side_parts, albedo,
              *irradiance);
@@ -147,8 +134,6 @@ bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
       complete = false;
     if (reads) reads->scale(first_read, scale * albedo * (passes ? Rgb(1) : light_.occlusion));
   }
-  add(aov_.at_vertex(Aov::Indirect), scale * light_.occlusion, caustic, caustic_parts);
-  add(aov_.at_vertex(Aov::Translucency), scale, caustic_through, caustic_through_parts);
   if (reads && !complete) reads->of.resize(reads_before);
   if (!complete) return false;
   if (reads && light_.near_distance > 0) reads->complete = false;

@@ -28,6 +28,9 @@ inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 class Path;
 
+/// Directional albedo of a diffuse or translucent lobe.
+Rgb albedo_of(const Lobe& lobe, const Vec3& wo);
+
 /// Handles surfaces in place of the estimate of their light: gather points, points of grids.
 class SurfaceVisitor {
  public:
@@ -318,6 +321,7 @@ class Path {
                                    Rgb* by_light) const;
   void emulate(const Closure& closure, const ShadingPoint& point);
   bool take_mapped(const Closure& closure, ShadingPoint& point);
+  void take_caustics(const Closure& closure, ShadingPoint& point);
   void with_neighbours(const Closure& closure, const ShadingPoint& point, Rgb& smooth,
                        LightParts& parts);
   /// Transmittance of the current media over a distance.

@@ -24,6 +24,7 @@ struct Harvest {
   PhotonCount count;
   bool wanted = false;
   std::vector<StoredPhoton> photons;
+  std::vector<PhotonChain> chains = {};  // of the photons, if wanted
 
   /// After how many photons this map asks for no more, as far as can be told.
   std::uint64_t most() const {
@@ -46,8 +47,9 @@ struct Harvest {
                                                static_cast<double>(count.store)));
   }
 
-  /// Drops what came past the limits and appends the rest, each its share of the power.
-  void take_to(std::vector<Photon>& map, std::uint64_t sent, std::uint32_t layer) const {
+  /// Drops what came past the limits and appends the rest, each its share of the power. Returns the
+  /// number of photons that count as emitted.
+  std::uint64_t take_to(std::vector<Photon>& map, std::uint64_t sent, std::uint32_t layer) const {
     std::uint64_t emitted = std::min(sent, most());
     if (count.store > 0 && photons.size() >= count.store)
       emitted = std::min(emitted, std::uint64_t{photons[count.store - 1].index} + 1);
@@ -58,6 +60,7 @@ struct Harvest {
       map.back().power *= share;
       map.back().layer = layer;
     }
+    return emitted;
   }
 };
 
@@ -95,6 +98,7 @@ class MapTracer {
       for (const PhotonLog& log : logs) {
         global.photons.insert(global.photons.end(), log.global.begin(), log.global.end());
         caustic.photons.insert(caustic.photons.end(), log.caustic.begin(), log.caustic.end());
+        caustic.chains.insert(caustic.chains.end(), log.chains.begin(), log.chains.end());
         balance += log.balance;
         counts_ += log.counts;
       }
@@ -104,7 +108,13 @@ class MapTracer {
     }
     if (sent == 0) return;
     global.take_to(global_, sent, layer);
-    caustic.take_to(caustic_, sent, layer);
+    const std::size_t before = caustic_.size();
+    const std::uint64_t emitted = caustic.take_to(caustic_, sent, layer);
+    if (settings_.chains) {
+      settings_.chains->emitted[static_cast<std::size_t>(stream) - 1] = emitted;
+      for (std::size_t i = before; i < caustic_.size(); ++i)
+        settings_.chains->photons.push_back({caustic_[i], caustic.chains[i - before]});
+    }
     const double each = 1 / static_cast<double>(sent);
     for (auto* sum : {&balance.emitted, &balance.absorbed, &balance.escaped, &balance.stopped})
       *sum *= each;
@@ -190,6 +200,7 @@ std::uint64_t requested_photons(const World& world, const PhotonSettings& settin
 
 PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, RayCounts& counts,
                          PhotonBalance* balance, const ProgressMonitor& monitor) {
+  if (settings.chains) settings.chains->emitted.assign(world.lights.size(), 0);
   MapTracer tracer(world, settings, monitor);
   const double sources = static_cast<double>(world.lights.size()) + 1;
   const double share =

@@ -7,6 +7,7 @@
 
 #include "lights/photon_source.h"
 #include "transport/counts.h"
+#include "transport/photon/photon_chain.h"
 #include "transport/photon/photon_file.h"
 #include "transport/photon/sharp_caustics.h"
 #include "transport/progress_monitor.h"
@@ -28,6 +29,8 @@ struct PhotonSettings {
   /// Only photons of its lights that its casters scatter first are wanted; null = all. For caustics
   /// alone. Borrowed.
   const SharpCaustics* sharp = nullptr;
+  /// Receives the photons of the caustic map with their chains; optional, only with `sharp`.
+  ChainLog* chains = nullptr;
   /// Maximum number of stored photons that lights request by counts of their own, in both maps. If
   /// they request more, each stores the same share of its request.
   std::uint64_t most = UINT64_MAX;

@@ -51,7 +51,8 @@ class PhotonWalk {
         aim_(aim),
         index_(index),
         log_(log),
-        sampler_(stream, kStreamRow, index, settings.seed) {}
+        sampler_(stream, kStreamRow, index, settings.seed),
+        chain_(settings.chains ? stream - 1 : -1) {}
 
   void run();
 
@@ -109,6 +110,7 @@ class PhotonWalk {
   Vec3 start_{0};
   bool scattered_ = false, specular_ = false, diffuse_ = false;
   int reflections_ = 0, refractions_ = 0;
+  ChainRecorder chain_;
 };
 
 /// Absorbs in a medium. Instead of weakening, the photon is terminated at random.
@@ -159,6 +161,7 @@ bool PhotonWalk::pass_volume(const Vec3& end, float length) {
     lose(factor_ * value.scattered / turned);
     way_.kind = RayKind::PhotonScatterVolume;
     scattered_ = diffuse_ = true;
+    chain_.give_up();
     if (!settings_.globillum) stop();
     way_.leave_volume_point(value.place, value.onward, geom::RayMask::FinalGather);
     return true;
@@ -174,6 +177,9 @@ void PhotonWalk::store(const ShadingPoint& point, const Rgb& power) {
   const MapPlace place = map_place(point, point.geometric_normal);
   (global ? log_.global : log_.caustic)
       .push_back({{place.position, way_.ray.dir, power, place.normal}, index_});
+  if (settings_.chains && !global)
+    log_.chains.push_back(chain_.to(point.ray_offset, index_,
+                                    source_.is_endless() ? -photon_.direction : photon_.origin));
 }
 
 /// Probability of each lobe: the share of power that it keeps. Returns their sum, at most 1.
@@ -277,6 +283,7 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
   if (!is_finite(weight)) return absorb(), false;
   lose(factor_ * weight);
   way_.medium.leave(closure, point, sample->wi);
+  chain_.add(closure.lobes[index], point, sample->wi);
   scattered_ = true;
   way_.kind = scattered_as(kind, dot(sample->wi, point.geometric_normal) < 0);
   if (is_diffuse(kind)) {
@@ -342,6 +349,7 @@ bool PhotonWalk::ask_shaders(const Closure& closure, const Material& material, S
     return false;
   }
   scattered_ = true;
+  chain_.give_up();
   way_.kind = chosen.kind;
   const bool diffuse =
       way_.kind == RayKind::PhotonReflectDiffuse || way_.kind == RayKind::PhotonTransmitDiffuse;

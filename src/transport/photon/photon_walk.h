@@ -18,6 +18,7 @@ struct StoredPhoton {
 /// What a batch of photons left.
 struct PhotonLog {
   std::vector<StoredPhoton> global, caustic;
+  std::vector<PhotonChain> chains;  ///< of the caustic photons, if the settings request them
   PhotonBalance balance;
   RayCounts counts;
 };
