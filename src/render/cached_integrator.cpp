@@ -259,7 +259,7 @@ void CachedIntegrator::use_bounces() {
   maps_.bounces = &bounces_.cache;
   maps_.bounces_query = bounces_.query;
   maps_.bounces_held = bounces_.held;
-  if (plan_.bounces) maps_.retrace = kRetrace * bounces_.query.radii.min;
+  maps_.retrace = kRetrace * bounces_.query.radii.min;
 }
 
 void CachedIntegrator::use_gather_points(const GatherPasses& passes) {

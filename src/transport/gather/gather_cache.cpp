@@ -16,6 +16,8 @@ static constexpr float kFrontFades = 0.05f, kFrontGone = 0.1f;
 static constexpr float kBelowFades = 0.5f, kBelowGone = 1;
 // The same, as fractions of the unoccluded distance towards the point.
 static constexpr float kWayFades = 0.8f, kWayGone = 1;
+// Relative noise of a record at least, for its weight; keeps weights bounded.
+static constexpr float kLeastNoise = 1e-3f;
 
 namespace {
 
@@ -200,6 +202,21 @@ Rgb GatherCache::irradiance(const GatherStencil& from, const Vec3& position, con
   return sum.result.irradiance;
 }
 
+/// Divides the weights by the expected squared relative errors: that of interpolation, which grows
+/// with the square of the error measure, and that of the rays. The latter is the mean of all
+/// records: if each had its own, records that missed bright light would get more weight.
+void GatherCache::prefer_exact(const Nearest& found, std::span<float> weights) const {
+  float noise2 = 0, sum = 0;
+  for (std::size_t i = 0; i < found.count; ++i) {
+    noise2 += weights[i] * sqr(records_[found.heap[i].record].noise);
+    sum += weights[i];
+  }
+  if (!(sum > 0)) return;
+  noise2 = std::max(noise2 / sum, sqr(kLeastNoise));
+  for (std::size_t i = 0; i < found.count; ++i)
+    weights[i] *= noise2 / (noise2 + sqr(kErrorAtRadius * sqr(found.heap[i].error)));
+}
+
 std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
   if (nodes_.empty()) return std::nullopt;
   Sum sum;
@@ -221,8 +238,12 @@ std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
   const float h = found.count == found.most ? found.heap[last].error : worst;
   // Records at equal distances would all get weight 0; they get equal weights instead.
   const bool alike = !(found.heap[0].error < h);
+  std::array<float, kMaxPoints + 1> weights;
+  for (std::size_t i = 0; i <= last; ++i)
+    weights[i] = alike ? 1 : sqr(1 - sqr(std::min(1.0f, found.heap[i].error / h)));
+  if (q.by_error) prefer_exact(found, weights);
   for (std::size_t i = 0; i <= last; ++i) {
-    const float w = alike ? 1 : sqr(1 - sqr(std::min(1.0f, found.heap[i].error / h)));
+    const float w = weights[i];
     if (!(w > 0)) continue;
     sum.add(records_[found.heap[i].record], q, w);
     if (q.stencil) q.stencil->add(found.heap[i].record, w);

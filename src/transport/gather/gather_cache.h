@@ -76,10 +76,12 @@ struct Gathered {
 ///          its radius.
 ///          Nearest: of the N + 1 nearest records the weight is (1 - (d / h)^2)^2, where h is the
 ///          distance of the farthest, so the result is continuous when one record replaces another
-///          (N >= 2); by error, the same with errors in place of distances. In both modes a record
-///          fades out as its normal turns away, when it lies in front of the point or far below it,
-///          and when something occludes it: these factors divide the distance or error used for
-///          selection, and multiply the weight of error-bounded records.
+///          (N >= 2); by error, the same with errors e in place of distances, times
+///          n^2 / (n^2 + (.1 e^2)^2), where n is the mean noise of the records and .1 e^2 the error
+///          of interpolation: of exact records the nearer ones count, noisy ones are averaged. In
+///          both modes a record fades out as its normal turns away, when it lies in front of the
+///          point or far below it, and when something occludes it: these factors divide the
+///          distance or error used for selection, and multiply the weight of error-bounded records.
 /// Source:  Ward, Rubinstein, Clear, "A Ray Tracing Solution for Diffuse Interreflection", SIGGRAPH
 ///          1988; Krivanek, Bouatouch, Pattanaik, Zara, "Making Radiance and Irradiance Caching
 ///          Practical", EGSR 2006 (neighbour clamping).
@@ -87,6 +89,8 @@ struct Gathered {
 class GatherCache {
  public:
   static constexpr int kMaxPoints = 256;
+  /// Relative error that a record may have at its radius; an estimate.
+  static constexpr float kErrorAtRadius = 0.1f;
 
   /// Adds records in order, except unusable ones (see `usable`).
   /// Returns: the number of records added.
@@ -179,6 +183,7 @@ class GatherCache {
   void bounded(std::uint32_t search_node, const GatherQuery& query, std::uint64_t normals,
                Sum& sum) const;
   void nearest(std::uint32_t search_node, const GatherQuery& query, Nearest& found) const;
+  void prefer_exact(const Nearest& found, std::span<float> weights) const;
   void nearest_of_leaf(std::span<const Entry> entries, const GatherQuery& query,
                        Nearest& found) const;
 

@@ -328,39 +328,6 @@ TEST(GatherCache, NearestAgreesWithSearchingAll) {
   }
 }
 
-// The tree skips nodes by place, error and normal; a cache of one record has a single node.
-TEST(GatherCache, RecordsOfAllNormalsAreFound) {
-  constexpr int kRecords = 250;
-  GatherCache all;
-  std::vector<GatherCache> alone(kRecords);
-  const auto normal_of = [](const Vec2& u) {
-    const float z = 2 * u.x - 1, r = std::sqrt(std::max(0.0f, 1 - z * z));
-    return Vec3(r * std::cos(kTwoPi * u.y), r * std::sin(kTwoPi * u.y), z);
-  };
-  for (int i = 0; i < kRecords; ++i) {
-    sampling::Sampler s(1, 0, static_cast<std::uint32_t>(i));
-    const Vec2 xy = s.next_2d();
-    const Vec3 place(xy.x, xy.y, s.next_1d());
-    const GatherRecord r = record(place, 1, 0.2f + s.next_1d(), normal_of(s.next_2d()));
-    all.insert({&r, 1});
-    alone[static_cast<std::size_t>(i)].insert({&r, 1});
-  }
-  int found_in_all = 0;
-  for (int k = 0; k < 400; ++k) {
-    sampling::Sampler s(2, 0, static_cast<std::uint32_t>(k));
-    const Vec2 xy = s.next_2d();
-    GatherQuery q = at(Vec3(xy.x, xy.y, s.next_1d()), 0, normal_of(s.next_2d()));
-    q.min_cosine = k % 4 < 2 ? 0.9f : -0.5f;
-    if (k % 2 == 1) q.points = GatherCache::kMaxPoints, q.by_error = true;
-    int expected = 0;
-    for (const GatherCache& one : alone) expected += one.interpolate(q) ? 1 : 0;
-    const auto found = all.interpolate(q);
-    EXPECT_EQ(found ? found->records : 0, expected) << "query " << k;
-    found_in_all += expected;
-  }
-  EXPECT_GT(found_in_all, 400);
-}
-
 TEST(GatherCache, BatchesDoNotMatter) {
   auto records = strewn(700, 0.15f, [](const Vec2& p) { return p.x + p.y; });
   for (std::size_t i = 0; i < records.size(); i += 7) {

@@ -275,10 +275,8 @@ void GatherCache::shorten_by_curvature(float tolerance) {
 }
 
 void GatherCache::settle_radii() {
-  /// Relative error that a record may have at its radius; an estimate.
-  constexpr float kTolerance = 0.1f;
   clamp_to_neighbours();
-  shorten_by_curvature(kTolerance);
+  shorten_by_curvature(kErrorAtRadius);
 }
 
 void GatherCache::clamp_to_neighbours() {
