@@ -29,6 +29,9 @@ constexpr float kGatherError = 0.5f;
 constexpr float kRetrace = 2;
 /// Gain by sampling lit surfaces from which on it is used; the estimate is noisy.
 constexpr float kWorthwhile = 1.1f;
+/// With fewer camera paths, the search for lit surfaces costs too much: it takes 460 000 rays, as
+/// many as 20 000 paths of the interior.
+constexpr double kLeastPathsForLit = 1 << 17;
 /// Number of stored photons per light, and maximum number of emitted ones.
 constexpr std::uint64_t kPhotonsPerLight = 100000, kMaxPhotons = 2000000;
 /// The same for the caustics of path-traced pictures: stored photons of all lights together, the
@@ -174,6 +177,7 @@ void CachedIntegrator::prepare(const IntegratorPreparation& p) {
 /// Caches hold the light of lit surfaces already.
 void CachedIntegrator::find_lit_surfaces(const IntegratorPreparation& p) {
   if (!plan_.indirect || plan_.maps() || caches_only() || p.monitor.cancelled()) return;
+  if (p.paths < kLeastPathsForLit) return;
   lit_ = LitSurfaces(world_, p.picture, p.seed, p.counts);
   if (lit_.empty() || p.monitor.cancelled()) return;
   PathSettings sampled = path_settings();
@@ -275,7 +279,7 @@ void CachedIntegrator::use_bounces() {
   maps_.bounces = &bounces_.cache;
   maps_.bounces_query = bounces_.query;
   maps_.bounces_held = bounces_.held;
-  if (plan_.bounces) maps_.retrace = kRetrace * bounces_.query.radii.min;
+  maps_.retrace = kRetrace * bounces_.query.radii.min;
 }
 
 void CachedIntegrator::use_gather_points(const GatherPasses& passes) {

@@ -321,8 +321,11 @@ TEST_F(RenderLoopTest, InterruptionsDoNotChangeThePicture) {
 }
 
 TEST_F(RenderLoopTest, InterruptedPreparationsDoNotChangeThePicture) {
-  // The sky scene has lit surfaces, which are searched before the picture.
-  write("sky.mi", sky_scene());
+  // The cache is computed before the picture.
+  std::string cached = sky_scene();
+  const std::string path = "\"path\"";
+  cached.replace(cached.find(path), path.size(), "\"path+cache\"");
+  write("sky.mi", cached);
   const vector<float> plain = plain_picture(source("sky.mi"), small_view().budget);
   LoopSettings settings;
   settings.first_divider = 1;

@@ -16,6 +16,8 @@ static constexpr float kFrontFades = 0.05f, kFrontGone = 0.1f;
 static constexpr float kBelowFades = 0.5f, kBelowGone = 1;
 // The same, as fractions of the unoccluded distance towards the point.
 static constexpr float kWayFades = 0.8f, kWayGone = 1;
+// Relative noise of a record at least, for its weight; keeps weights bounded.
+static constexpr float kLeastNoise = 1e-3f;
 
 namespace {
 
@@ -81,7 +83,9 @@ struct GatherCache::Near {
 struct GatherCache::Nearest {
   std::array<Near, kMaxPoints + 1> heap;
   std::size_t count = 0, most = 0;
-  float bound = 0;  ///< worse records are ignored
+  float bound = 0;                            ///< worse records are ignored
+  std::uint64_t normals = ~std::uint64_t{0};  ///< records with other normals are ignored
+  GatherRadii scale;  ///< bounds of the distance over which the error of a record reaches 1
 
   void offer(const Near& candidate) {
     if (count == most) {
@@ -107,62 +111,80 @@ float GatherCache::compatibility(const Entry& e, const GatherQuery& q) const {
   return f > 0 ? f * way_is_free(records_[e.record], moved, length(moved)) : 0;
 }
 
-void GatherCache::bounded(std::uint32_t index, const GatherQuery& q, Sum& sum) const {
-  const Node& node = nodes_[index];
-  if (node.distance2(q.position) > sqr(q.accuracy * q.radii.clamped(node.reach))) return;
-  if (node.child != 0) {
-    for (std::uint32_t i = 0; i < 8; ++i) bounded(node.child + i, q, sum);
-    return;
+std::array<float, 8> GatherCache::SearchNode::distances2(const Vec3& p) const {
+  std::array<float, 8> d2;
+  for (std::size_t i = 0; i < d2.size(); ++i) {
+    const float x = std::max(0.0f, std::max(low_x[i] - p.x, p.x - high_x[i]));
+    const float y = std::max(0.0f, std::max(low_y[i] - p.y, p.y - high_y[i]));
+    const float z = std::max(0.0f, std::max(low_z[i] - p.z, p.z - high_z[i]));
+    d2[i] = x * x + y * y + z * z;
   }
-  for (const Entry& e : node.entries) {
+  return d2;
+}
+
+void GatherCache::bounded(std::uint32_t index, const GatherQuery& q, std::uint64_t normals,
+                          Sum& sum) const {
+  const SearchNode& node = search_nodes_[index];
+  const std::array<float, 8> distances2 = node.distances2(q.position);
+  for (std::size_t i = 0; i < distances2.size(); ++i) {
+    if ((node.normals[i] & normals) == 0) continue;
+    if (distances2[i] > sqr(q.accuracy * q.radii.clamped(node.reach[i]))) continue;
+    if (node.entries[i] == 0) {
+      bounded(node.first[i], q, normals, sum);
+      continue;
+    }
+    for (const Entry& e : std::span(search_entries_).subspan(node.first[i], node.entries[i])) {
+      const float distance2 = (q.position - e.position).length2();
+      const float radius = q.radii.clamped(e.radius);
+      if (distance2 >= sqr(q.accuracy * radius)) continue;
+      const float turned = std::sqrt(std::max(0.0f, 1 - dot(e.normal, q.normal)));
+      const float error = std::sqrt(distance2) / radius + turned;
+      if (!(error < q.accuracy)) continue;
+      const float fit = compatibility(e, q);
+      // At the record itself the weight would be infinite; the distance is at least a millionth of
+      // the radius.
+      if (fit > 0)
+        sum.add(records_[e.record], q, fit * (1 / std::max(error, 1e-6f) - 1 / q.accuracy));
+    }
+  }
+}
+
+void GatherCache::nearest_of_leaf(std::span<const Entry> entries, const GatherQuery& q,
+                                  Nearest& found) const {
+  for (const Entry& e : entries) {
     const float distance2 = (q.position - e.position).length2();
-    const float radius = q.radii.clamped(e.radius);
-    if (distance2 >= sqr(q.accuracy * radius)) continue;
-    const float turned = std::sqrt(std::max(0.0f, 1 - dot(e.normal, q.normal)));
-    const float error = std::sqrt(distance2) / radius + turned;
-    if (!(error < q.accuracy)) continue;
+    const float cosine = dot(e.normal, q.normal), radius = found.scale.clamped(e.radius);
+    if (distance2 > sqr(found.bound * radius) || !(cosine > q.min_cosine)) continue;
+    float error = std::sqrt(distance2) / radius;
+    if (q.by_error) error += std::sqrt(std::max(0.0f, 1 - cosine));
+    if (error > found.bound) continue;
     const float fit = compatibility(e, q);
-    // At the record itself the weight would be infinite; the distance is at least a millionth of
-    // the radius.
-    if (fit > 0)
-      sum.add(records_[e.record], q, fit * (1 / std::max(error, 1e-6f) - 1 / q.accuracy));
+    if (fit > 0 && error <= found.bound * fit) found.offer({error / fit, e.record});
   }
 }
 
 void GatherCache::nearest(std::uint32_t index, const GatherQuery& q, Nearest& found) const {
-  const Node& node = nodes_[index];
-  // Distance over which the error of a record reaches 1.
-  const auto scale = [&](float radius) { return q.by_error ? q.radii.clamped(radius) : 1.0f; };
-  if (node.child == 0) {
-    for (const Entry& e : node.entries) {
-      const float distance2 = (q.position - e.position).length2();
-      const float cosine = dot(e.normal, q.normal), radius = scale(e.radius);
-      if (distance2 > sqr(found.bound * radius) || !(cosine > q.min_cosine)) continue;
-      float error = std::sqrt(distance2) / radius;
-      if (q.by_error) error += std::sqrt(std::max(0.0f, 1 - cosine));
-      if (error > found.bound) continue;
-      const float fit = compatibility(e, q);
-      if (fit > 0 && error <= found.bound * fit) found.offer({error / fit, e.record});
-    }
-    return;
-  }
-  struct Child {
-    float distance2;
-    std::uint32_t index;
-  };
-  std::array<Child, 8> order;
+  const SearchNode& node = search_nodes_[index];
+  // Least errors of the children's records, without that of their normals.
+  std::array<float, 8> errors2 = node.distances2(q.position);
+  for (std::size_t i = 0; i < errors2.size(); ++i)
+    errors2[i] /= sqr(found.scale.clamped(node.reach[i]));
+  std::array<std::uint8_t, 8> order;
   std::size_t count = 0;
-  for (std::uint32_t i = 0; i < 8; ++i) {
-    const Node& child = nodes_[node.child + i];
-    if (child.child == 0 && child.entries.empty()) continue;
-    const Child c{child.distance2(q.position), node.child + i};
+  for (std::uint8_t i = 0; i < errors2.size(); ++i) {
+    if ((node.normals[i] & found.normals) == 0 || errors2[i] > sqr(found.bound)) continue;
     std::size_t at = count++;
-    for (; at > 0 && order[at - 1].distance2 > c.distance2; --at) order[at] = order[at - 1];
-    order[at] = c;
+    for (; at > 0 && errors2[order[at - 1]] > errors2[i]; --at) order[at] = order[at - 1];
+    order[at] = i;
   }
-  for (std::size_t i = 0; i < count; ++i)
-    if (order[i].distance2 <= sqr(found.bound * scale(nodes_[order[i].index].reach)))
-      nearest(order[i].index, q, found);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = order[k];
+    if (errors2[i] > sqr(found.bound)) break;
+    if (node.entries[i] > 0)
+      nearest_of_leaf(std::span(search_entries_).subspan(node.first[i], node.entries[i]), q, found);
+    else
+      nearest(node.first[i], q, found);
+  }
 }
 
 Rgb GatherCache::irradiance(const GatherStencil& from, const Vec3& position, const Vec3& normal,
@@ -180,11 +202,26 @@ Rgb GatherCache::irradiance(const GatherStencil& from, const Vec3& position, con
   return sum.result.irradiance;
 }
 
+/// Divides the weights by the expected squared relative errors: that of interpolation, which grows
+/// with the square of the error measure, and that of the rays. The latter is the mean of all
+/// records: if each had its own, records that missed bright light would get more weight.
+void GatherCache::prefer_exact(const Nearest& found, std::span<float> weights) const {
+  float noise2 = 0, sum = 0;
+  for (std::size_t i = 0; i < found.count; ++i) {
+    noise2 += weights[i] * sqr(records_[found.heap[i].record].noise);
+    sum += weights[i];
+  }
+  if (!(sum > 0)) return;
+  noise2 = std::max(noise2 / sum, sqr(kLeastNoise));
+  for (std::size_t i = 0; i < found.count; ++i)
+    weights[i] *= noise2 / (noise2 + sqr(kErrorAtRadius * sqr(found.heap[i].error)));
+}
+
 std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
   if (nodes_.empty()) return std::nullopt;
   Sum sum;
   if (q.points <= 0) {
-    bounded(0, q, sum);
+    bounded(0, q, normal_bits(q.normal, q.min_cosine), sum);
     return sum.finished(q);
   }
   Nearest found;
@@ -192,6 +229,8 @@ std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
   const float none = std::numeric_limits<float>::infinity();
   const float worst = q.by_error ? q.accuracy : q.radii.max > 0 ? q.radii.max : none;
   found.bound = worst;
+  found.normals = normal_bits(q.normal, q.min_cosine);
+  found.scale = q.by_error ? q.radii : GatherRadii{1, 1};
   nearest(0, q, found);
   if (found.count == 0) return std::nullopt;
   std::sort_heap(found.heap.begin(), found.heap.begin() + static_cast<std::ptrdiff_t>(found.count));
@@ -199,8 +238,12 @@ std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
   const float h = found.count == found.most ? found.heap[last].error : worst;
   // Records at equal distances would all get weight 0; they get equal weights instead.
   const bool alike = !(found.heap[0].error < h);
+  std::array<float, kMaxPoints + 1> weights;
+  for (std::size_t i = 0; i <= last; ++i)
+    weights[i] = alike ? 1 : sqr(1 - sqr(std::min(1.0f, found.heap[i].error / h)));
+  if (q.by_error) prefer_exact(found, weights);
   for (std::size_t i = 0; i <= last; ++i) {
-    const float w = alike ? 1 : sqr(1 - sqr(std::min(1.0f, found.heap[i].error / h)));
+    const float w = weights[i];
     if (!(w > 0)) continue;
     sum.add(records_[found.heap[i].record], q, w);
     if (q.stencil) q.stencil->add(found.heap[i].record, w);

@@ -76,10 +76,12 @@ struct Gathered {
 ///          its radius.
 ///          Nearest: of the N + 1 nearest records the weight is (1 - (d / h)^2)^2, where h is the
 ///          distance of the farthest, so the result is continuous when one record replaces another
-///          (N >= 2); by error, the same with errors in place of distances. In both modes a record
-///          fades out as its normal turns away, when it lies in front of the point or far below it,
-///          and when something occludes it: these factors divide the distance or error used for
-///          selection, and multiply the weight of error-bounded records.
+///          (N >= 2); by error, the same with errors e in place of distances, times
+///          n^2 / (n^2 + (.1 e^2)^2), where n is the mean noise of the records and .1 e^2 the error
+///          of interpolation: of exact records the nearer ones count, noisy ones are averaged. In
+///          both modes a record fades out as its normal turns away, when it lies in front of the
+///          point or far below it, and when something occludes it: these factors divide the
+///          distance or error used for selection, and multiply the weight of error-bounded records.
 /// Source:  Ward, Rubinstein, Clear, "A Ray Tracing Solution for Diffuse Interreflection", SIGGRAPH
 ///          1988; Krivanek, Bouatouch, Pattanaik, Zara, "Making Radiance and Irradiance Caching
 ///          Practical", EGSR 2006 (neighbour clamping).
@@ -87,6 +89,8 @@ struct Gathered {
 class GatherCache {
  public:
   static constexpr int kMaxPoints = 256;
+  /// Relative error that a record may have at its radius; an estimate.
+  static constexpr float kErrorAtRadius = 0.1f;
 
   /// Adds records in order, except unusable ones (see `usable`).
   /// Returns: the number of records added.
@@ -134,6 +138,7 @@ class GatherCache {
     Vec3 low{3e38f}, high{-3e38f};  ///< bounding box of the positions below
     float reach = 0;                ///< largest radius below
     float least = 3e38f;            ///< smallest unclamped radius below
+    std::uint64_t normals = 0;      ///< bits of the normals below, see normal_bit()
     std::uint32_t child = 0;        ///< index of the first of eight; 0 = leaf
     std::vector<Entry> entries;     ///< of a leaf
 
@@ -145,9 +150,25 @@ class GatherCache {
     }
     void include(const Entry& entry, float own_radius);
   };
+  /// Eight siblings as arrays, which look-ups test together.
+  struct SearchNode {
+    static constexpr int kChildren = 8;
+    std::array<float, kChildren> low_x, low_y, low_z, high_x, high_y, high_z, reach;
+    std::array<std::uint64_t, kChildren> normals;  ///< 0 = empty
+    std::array<std::uint32_t, kChildren> first;    ///< SearchNode, or entry of a leaf
+    std::array<std::uint32_t, kChildren> entries;  ///< number of a leaf's; 0 = no leaf
+
+    void set(int child, const Node& node);
+    std::array<float, kChildren> distances2(const Vec3& p) const;
+  };
   struct Near;
   struct Nearest;
   struct Sum;
+
+  /// Bit of the part of the sphere of directions that contains the normal.
+  static std::uint64_t normal_bit(const Vec3& normal);
+  /// Bits of all parts that contain normals with at least this cosine to `normal`.
+  static std::uint64_t normal_bits(const Vec3& normal, float min_cosine);
 
   void place(const Entry& entry);
   void grow_to(const Vec3& position);
@@ -157,12 +178,20 @@ class GatherCache {
                  float tolerance) const;
   float clamped(std::uint32_t node, const Vec3& position, float best) const;
   float compatibility(const Entry& entry, const GatherQuery& query) const;
-  void bounded(std::uint32_t node, const GatherQuery& query, Sum& sum) const;
-  void nearest(std::uint32_t node, const GatherQuery& query, Nearest& found) const;
+  void flatten();
+  void flatten_child(std::uint32_t node, std::uint32_t parent, std::size_t child);
+  void bounded(std::uint32_t search_node, const GatherQuery& query, std::uint64_t normals,
+               Sum& sum) const;
+  void nearest(std::uint32_t search_node, const GatherQuery& query, Nearest& found) const;
+  void prefer_exact(const Nearest& found, std::span<float> weights) const;
+  void nearest_of_leaf(std::span<const Entry> entries, const GatherQuery& query,
+                       Nearest& found) const;
 
   std::vector<GatherRecord> records_;
-  std::vector<float> radii_;  ///< after clamping
-  std::vector<Node> nodes_;   ///< the first is the root
+  std::vector<float> radii_;              ///< after clamping
+  std::vector<Node> nodes_;               ///< the first is the root
+  std::vector<SearchNode> search_nodes_;  ///< of all nodes; the first contains the root only
+  std::vector<Entry> search_entries_;
   Vec3 centre_{0};
   float half_ = 1;
 };

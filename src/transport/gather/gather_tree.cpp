@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Insertion into the cache's octree, and the adjustment of radii by neighbours.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -29,7 +30,58 @@ bool within(const Vec3& v, float bound) {
   return std::abs(v.x) <= bound && std::abs(v.y) <= bound && std::abs(v.z) <= bound;
 }
 
+/// Parts of each face of a cube along an edge: the sphere has 54 parts. An axis is the middle of
+/// one, because most normals of buildings are axes.
+constexpr int kPartsOfEdge = 3;
+/// Cosine and sine of the largest angle between the middle of a part and its corners: at a corner
+/// of the middle part of a face, (1, 1/3, 1/3), it is 25.3 degrees. At the corners of the cube the
+/// parts are smaller. Rounded up.
+constexpr float kPartCosine = 0.9f, kPartSine = 0.436f;
+
+/// Part of a face: coordinates u and v in -1...1 of the face's square.
+int part_of_edge(float u) {
+  return std::clamp(static_cast<int>((u + 1) * (0.5f * kPartsOfEdge)), 0, kPartsOfEdge - 1);
+}
+
+std::array<Vec3, 6 * kPartsOfEdge * kPartsOfEdge> middles_of_parts() {
+  std::array<Vec3, 6 * kPartsOfEdge * kPartsOfEdge> middles;
+  std::size_t next = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float side : {1.0f, -1.0f})
+      for (int i = 0; i < kPartsOfEdge; ++i)
+        for (int j = 0; j < kPartsOfEdge; ++j) {
+          Vec3 m(0);
+          m[axis] = side;
+          m[(axis + 1) % 3] = static_cast<float>(2 * i + 1) / kPartsOfEdge - 1;
+          m[(axis + 2) % 3] = static_cast<float>(2 * j + 1) / kPartsOfEdge - 1;
+          middles[next++] = m.normalized();
+        }
+  return middles;
+}
+
 }  // namespace
+
+std::uint64_t GatherCache::normal_bit(const Vec3& n) {
+  const float x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+  const int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+  const float scale = 1 / std::abs(n[axis]);
+  const int face = 2 * axis + (n[axis] < 0 ? 1 : 0);
+  const int part = (face * kPartsOfEdge + part_of_edge(n[(axis + 1) % 3] * scale)) * kPartsOfEdge +
+                   part_of_edge(n[(axis + 2) % 3] * scale);
+  return std::uint64_t{1} << part;
+}
+
+std::uint64_t GatherCache::normal_bits(const Vec3& n, float min_cosine) {
+  static const auto kMiddles = middles_of_parts();
+  // Cosine of the sum of the cone's angle and that of a part; beyond half a turn all parts count.
+  const float cosine = clamp(min_cosine, -1, 1), sine = std::sqrt(1 - sqr(cosine));
+  if (cosine <= -kPartCosine) return ~std::uint64_t{0};
+  const float least = cosine * kPartCosine - sine * kPartSine;
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < kMiddles.size(); ++i)
+    bits |= std::uint64_t{dot(kMiddles[i], n) >= least ? 1u : 0u} << i;
+  return bits;
+}
 
 bool GatherCache::usable(const GatherRecord& r) {
   constexpr float kMax = 1e30f;
@@ -53,6 +105,7 @@ void GatherCache::Node::include(const Entry& e, float own_radius) {
               std::max(high.z, e.position.z));
   reach = std::max(reach, e.radius);
   least = std::min(least, own_radius);
+  normals |= normal_bit(e.normal);
 }
 
 std::size_t GatherCache::insert(std::span<const GatherRecord> records) {
@@ -65,7 +118,43 @@ std::size_t GatherCache::insert(std::span<const GatherRecord> records) {
     place({r.position, r.radius, r.normal, index});
     ++added;
   }
+  if (added > 0) flatten();
   return added;
+}
+
+void GatherCache::SearchNode::set(int child, const Node& node) {
+  const auto i = static_cast<std::size_t>(child);
+  low_x[i] = node.low.x, low_y[i] = node.low.y, low_z[i] = node.low.z;
+  high_x[i] = node.high.x, high_y[i] = node.high.y, high_z[i] = node.high.z;
+  reach[i] = node.reach;
+  normals[i] = node.normals;
+  first[i] = entries[i] = 0;
+}
+
+/// Copies the tree into the arrays of look-ups.
+void GatherCache::flatten() {
+  search_nodes_.resize(1);
+  search_entries_.clear();
+  const Node none;
+  for (int i = 1; i < SearchNode::kChildren; ++i) search_nodes_[0].set(i, none);
+  search_nodes_[0].set(0, nodes_[0]);
+  flatten_child(0, 0, 0);
+}
+
+void GatherCache::flatten_child(std::uint32_t node, std::uint32_t parent, std::size_t i) {
+  const std::vector<Entry>& entries = nodes_[node].entries;
+  if (nodes_[node].child == 0) {
+    search_nodes_[parent].first[i] = static_cast<std::uint32_t>(search_entries_.size());
+    search_nodes_[parent].entries[i] = static_cast<std::uint32_t>(entries.size());
+    search_entries_.insert(search_entries_.end(), entries.begin(), entries.end());
+    return;
+  }
+  const auto own = static_cast<std::uint32_t>(search_nodes_.size());
+  search_nodes_[parent].first[i] = own;
+  SearchNode& children = search_nodes_.emplace_back();
+  for (std::uint32_t k = 0; k < 8; ++k)
+    children.set(static_cast<int>(k), nodes_[nodes_[node].child + k]);
+  for (std::uint32_t k = 0; k < 8; ++k) flatten_child(nodes_[node].child + k, own, k);
 }
 
 void GatherCache::grow_to(const Vec3& p) {
@@ -78,7 +167,7 @@ void GatherCache::grow_to(const Vec3& p) {
     nodes_.resize(nodes_.size() + 8);
     Node& old = nodes_[first + octant(centre_, wider)];
     old = std::move(nodes_[0]);
-    nodes_[0] = {old.low, old.high, old.reach, old.least, first, {}};
+    nodes_[0] = {old.low, old.high, old.reach, old.least, old.normals, first, {}};
     centre_ = wider;
     half_ *= 2;
   }
@@ -182,13 +271,12 @@ void GatherCache::shorten_by_curvature(float tolerance) {
                [&](std::size_t i) { shorter[i] = straight(0, records_[i], radii_[i], tolerance); });
   radii_ = std::move(shorter);
   refit(0);
+  flatten();
 }
 
 void GatherCache::settle_radii() {
-  /// Relative error that a record may have at its radius; an estimate.
-  constexpr float kTolerance = 0.1f;
   clamp_to_neighbours();
-  shorten_by_curvature(kTolerance);
+  shorten_by_curvature(kErrorAtRadius);
 }
 
 void GatherCache::clamp_to_neighbours() {
@@ -199,6 +287,7 @@ void GatherCache::clamp_to_neighbours() {
     radii_[i] = clamped(0, records_[i].position, records_[i].radius);
   });
   refit(0);
+  flatten();
 }
 
 }  // namespace oriel

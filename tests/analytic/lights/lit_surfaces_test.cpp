@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surfaces that directional lights illuminate, sampled as lights.
+#include "prepare/testing/prepared_scene.h"
+#include "render/session.h"
+#include "shaders/registry.h"
 #include "support/picture.h"
 #include "support/probe.h"
 
@@ -192,6 +195,21 @@ TEST(LitSurfaces, AreNotSampledOutdoors) {
   EXPECT_FALSE(probe.lit_surfaces().has_lit_surfaces());
   Probe none(Room().walls().text);
   EXPECT_FALSE(none.lit_surfaces().has_lit_surfaces()) << "no light";
+}
+
+TEST(LitSurfaces, AreSearchedForPicturesOfManyPaths) {
+  const std::string scene =
+      Room("trace depth 8 8 12 \"indirect\" \"path\"").walls().sun().text.str();
+  const auto rays_before = [&](std::uint32_t samples) {
+    PreparedScene prepared(scene, builtin_shaders());
+    SessionSettings settings;
+    settings.budget.samples = samples;
+    RenderSession session(*prepared.world, settings);
+    session.run();
+    return session.rays_before();
+  };
+  EXPECT_EQ(rays_before(4), 0u) << "6144 paths";
+  EXPECT_GT(rays_before(88), 100'000u) << "135 168 paths";
 }
 
 }  // namespace lit_surfaces_test
