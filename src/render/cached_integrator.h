@@ -25,6 +25,8 @@ namespace oriel {
 ///          comes by final gathering and portals. Path tracing with `caustic on` reads photons
 ///          for the caustics that paths hardly find (SharpCaustics), without energy statements and
 ///          without files; what the camera sees searches for their chains (ManifoldCaustics).
+///          Where paths may learn, and pilot paths gain by it, photons bring the caustics of other
+///          lights as well.
 ///          Files: photonmap and finalgather `rebuild` on: computed and written. Off: read if they
 ///          exist; photons are then not traced, gather points are added; then written.
 ///          `finalgather rebuild freeze`: read and used unchanged.
@@ -47,7 +49,9 @@ class CachedIntegrator final : public Integrator {
   bool is_prepared() const override { return prepared_; }
   bool caches_only() const override;
   std::size_t gather_points() const override { return cache_.records().size(); }
-  std::size_t learned_bytes() const override { return learned_.bytes(); }
+  std::size_t learned_bytes() const override {
+    return learned_.bytes() + rarely_found_.map.size() * sizeof(Photon);
+  }
   bool has_unknown_light() const override { return read_files_ || reads_grid(); }
 
  private:
@@ -62,6 +66,9 @@ class CachedIntegrator final : public Integrator {
   void learn(const IntegratorPreparation& p);
   void trace_sharp_caustics(const IntegratorPreparation& p);
   void use_chains();
+  void trace_rarely_found(const IntegratorPreparation& p);
+  template <class In>
+  void restore_rarely_found(In& in);
   void trace_photon_maps(const IntegratorPreparation& p);
   void use_photon_maps();
   GatherPasses gather_passes(std::uint32_t seed);
@@ -80,6 +87,7 @@ class CachedIntegrator final : public Integrator {
   PhotonMaps photons_;
   SharpCaustics sharp_;
   ManifoldCaustics chains_;
+  SharpPhotons rarely_found_;
   Bounces bounces_;
   GatherCache cache_;
   std::optional<GlossyGrid> grid_;

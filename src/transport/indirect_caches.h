@@ -20,6 +20,13 @@ inline Rgb irradiance_at(const PhotonMap& map, const ShadingPoint& point, const 
   return map.irradiance(place.position, place.normal, lookup, by_light, unknown, found);
 }
 
+/// The same by PhotonMap::coarse_irradiance.
+inline Rgb coarse_irradiance_at(const PhotonMap& map, const ShadingPoint& point, const Vec3& normal,
+                                const PhotonLookup& lookup) {
+  const MapPlace place = map_place(point, normal);
+  return map.coarse_irradiance(place.position, place.normal, lookup);
+}
+
 /// The query `how` made at a point of the picture: place, side, radii by the width of its pixel.
 inline GatherQuery query_at(GatherQuery how, const ShadingPoint& point, const Vec3& normal) {
   const MapPlace place = map_place(point, normal);
@@ -49,6 +56,18 @@ struct IndirectCaches {
   /// Searched at what the camera sees, to correct the caustic map there; null = not.
   const ManifoldCaustics* chains = nullptr;
   PhotonLookup missed_lookup;  ///< of ManifoldCaustics::missed()
+  /// Caustics of lights that rays find rarely, read everywhere; null = rays bring them.
+  const SharpPhotons* rarely_found = nullptr;
+
+  /// Whether a mirror or glass may cast caustics of some maps only.
+  bool casts_sharp(int instance) const {
+    return (sharp && sharp->casts(instance)) || (rarely_found && rarely_found->of.casts(instance));
+  }
+  /// Whether such caustics of a light are in a map.
+  bool has_sharp(int light) const {
+    return (sharp && sharp->has_light(light)) ||
+           (rarely_found && rarely_found->of.has_light(light));
+  }
 };
 
 }  // namespace oriel

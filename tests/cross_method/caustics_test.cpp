@@ -294,6 +294,48 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"ring", add_ring, Vec3(.85f, 0, 0), .12f}),
     [](const auto& i) { return std::string(i.param.name); });
 
+/// A glass ball in a room, below a lamp that rays find.
+SceneText lit_ball(const std::string& options, const std::string& glass) {
+  SceneText scene = start("\"indirect\" \"path\" " + options);
+  room(scene);
+  scene.light("lamp", physical("40 36 30") + " origin 0 1.49 -3 rectangle 1.2 0 0 0 0 1.2 3 3",
+              "visible on");
+  scene.material("glass", glass).sphere("glass", Vec3(0, -.7f, -3), .7f, 64);
+  return scene;
+}
+
+// acceptance: Q3
+TEST(CausticPictures, PhotonsOfALargeLampKeepTheLightThatRaysFind) {
+  // Enough paths to learn.
+  constexpr std::uint32_t kSamples = 660;
+  const auto blocks = [](const RenderedScene& picture) {
+    std::vector<Rgb> means(16, Rgb(0));
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 40; ++x)
+        means[static_cast<std::size_t>(y / 10 * 4 + x / 10)] += rgb(picture.at(x, y)) / 100;
+    return means;
+  };
+  const std::string straight =
+      "\"reflectivity\" 1, \"transparency\" 1, \"diffuse_weight\" 0, \"refr_ior\" 1.5, "
+      "\"brdf_fresnel\" on";
+  const std::pair<const char*, std::string> kCases[] = {{"caustic on", kSolid},
+                                                        {"caustic off", straight}};
+  for (const auto& [options, material] : kCases) {
+    const RenderedScene photons(lit_ball(options, material), samples(kSamples));
+    const RenderedScene rays(lit_ball(std::string(options) + " \"guiding\" off", material),
+                             samples(kSamples));
+    EXPECT_GT(photons.session().learned_bytes(), 1000 * sizeof(Photon)) << "no photons";
+    const auto a = blocks(photons), b = blocks(rays);
+    Rgb sums[2] = {Rgb(0), Rgb(0)};
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      EXPECT_NEAR(a[i].y / b[i].y, 1, .02) << options << ", block " << i;
+      sums[0] += a[i], sums[1] += b[i];
+    }
+    EXPECT_NEAR(sums[0].y / sums[1].y, 1, .004) << options;
+    testing::figure(options, sums[1].y, sums[0].y, 0);
+  }
+}
+
 TEST(PhotonAim, SendsAllLightThatMeetsTheSpheres) {
   // A small mirror far away: the flux that it receives is known.
   const struct {

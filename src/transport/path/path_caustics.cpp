@@ -31,14 +31,16 @@ struct CausticWeights {
 /// Adds light of caustic photons and chains on diffuse lobes.
 void Path::take_caustics(const Closure& closure, ShadingPoint& point) {
   const IndirectCaches& maps = *settings_.maps;
-  if (!maps.caustic || !allows(kReceivesCaustics)) return;
+  const PhotonMap* map = allows(kReceivesCaustics) ? maps.caustic : nullptr;
+  const SharpPhotons* rarely_found = indirect() ? maps.rarely_found : nullptr;
+  if (!map && !rarely_found) return;
   const std::size_t layers = record_->requested.light_layers;
   SideLight front, behind;
   front.parts.clear(layers);
   behind.parts.clear(layers);
 
   ChainStarts::Found found;
-  if (maps.chains && !depth_.after_diffuse) found = maps.chains->starts_at(point.position);
+  if (map && maps.chains && !depth_.after_diffuse) found = maps.chains->starts_at(point.position);
   const std::span<const ChainStart> starts = found.starts;
   const float chance = found.chance;
   sampling::Sampler stream;
@@ -56,16 +58,21 @@ void Path::take_caustics(const Closure& closure, ShadingPoint& point) {
     SideLight& side = passes ? behind : front;
     const Vec3 normal = facing(point.geometric_normal, lit_side(lobe));
     const Rgb albedo = albedo_of(lobe, point.wo()) * kInvPi;
-    const auto read = [&](const PhotonMap& map, const PhotonLookup& lookup, float weight) {
-      if (weight == 0 || map.empty()) return;
+    const auto read = [&](const PhotonMap& photons, const PhotonLookup& lookup, float weight) {
+      if (weight == 0 || photons.empty()) return;
       parts.clear(layers);
       const Rgb light =
-          irradiance_at(map, point, normal, lookup, layers > 0 ? parts.data() : nullptr,
+          irradiance_at(photons, point, normal, lookup, layers > 0 ? parts.data() : nullptr,
                         world_.light_layers.unknown());
       side.sum += albedo * light * weight;
       for (std::size_t k = 0; k < layers; ++k) side.parts.of[k] += albedo * parts.of[k] * weight;
     };
-    read(*maps.caustic, maps.caustic_lookup, weights.map);
+    if (rarely_found && depth_.after_diffuse && layers == 0)
+      side.sum +=
+          albedo * coarse_irradiance_at(rarely_found->map, point, normal, rarely_found->lookup);
+    else if (rarely_found)
+      read(rarely_found->map, rarely_found->lookup, 1);
+    if (map) read(*map, maps.caustic_lookup, weights.map);
     if (!searches) continue;
     read(maps.chains->missed(), maps.missed_lookup, weights.searched);
     read(maps.chains->others(), maps.caustic_lookup, weights.searched);

@@ -297,8 +297,8 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   // At grazing angles a lobe is narrower in one direction; a round lobe of the same area is used.
   way_.roughness = alpha * std::sqrt(std::abs(dot(point.wo(), lobe.frame.n)));
   from_.weighed = !sample.delta;
-  from_.sharp_caster = sample.delta && settings_.maps && settings_.maps->sharp &&
-                       settings_.maps->sharp->casts(static_cast<int>(point.instance));
+  from_.sharp_caster = sample.delta && settings_.maps &&
+                       settings_.maps->casts_sharp(static_cast<int>(point.instance));
   from_.pdf = sample.pdf;
   from_.group = group_of(lobe.kind);
   from_.passed = way_.volume_passed = 0;

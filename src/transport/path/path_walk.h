@@ -95,7 +95,7 @@ class Path {
       return group == LobeGroup::Diffuse ? hit.affects_diffuse : hit.affects_specular;
     }
     bool shadows = true;
-    bool sharp_caster = false;  ///< a mirror or clear glass of SharpCaustics
+    bool sharp_caster = false;  ///< a mirror or clear glass whose caustics are mapped
     // Surfaces were sampled as lights for diffuse lobes, and for glossy reflections.
     bool surfaces_on_diffuse = false, surfaces_in_reflections = false;
     /// Whether surfaces were sampled for the lobes of the ray.
@@ -302,7 +302,7 @@ class Path {
   }
   /// The same for light of one light along the current ray, if the map contains some caustics only.
   bool is_mapped_caustic(int light) const {
-    return from_.sharp_caster && depth_.after_diffuse && settings_.maps->sharp->has_light(light);
+    return from_.sharp_caster && depth_.after_diffuse && settings_.maps->has_sharp(light);
   }
   /// Factor of the options on indirect light that rays bring to this vertex.
   Rgb indirect_factor() const {

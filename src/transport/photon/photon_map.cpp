@@ -8,6 +8,8 @@
 #include <cstdint>
 
 #include "base/math.h"
+#include "base/parallel.h"
+#include "sampling/sampler.h"
 #include "transport/photon/photon_merge.h"
 
 namespace oriel {
@@ -98,6 +100,23 @@ class Nearest {
   int most_, count_ = 0;
   float reach2_;
   Found heap_[PhotonMap::kMaxCount + 1];  // only the first count_ are set
+};
+
+/// Half of the photons, chosen at random, are places of estimates by the other half: places where
+/// photons lie apart have a larger neighbourhood, so that estimates by the same photons would be
+/// some percent too dark.
+bool is_place(std::size_t photon) { return (sampling::mix_bits(photon + 1) & 1) != 0; }
+
+/// The nearest places, or the nearest other photons.
+class NearestHalf : public Nearest {
+ public:
+  NearestHalf(bool places, int most, float radius) : Nearest(most, radius), places_(places) {}
+  void add(float distance2, std::uint32_t index) {
+    if (is_place(index) == places_) Nearest::add(distance2, index);
+  }
+
+ private:
+  bool places_;
 };
 
 }  // namespace
@@ -199,6 +218,34 @@ float PhotonMap::radius(const Vec3& position, const Vec3& normal,
   Nearest nearest(std::clamp(lookup.count, 1, kMaxCount) + 1, lookup.radius);
   find(position, normal, nearest);
   return nearest.is_full() ? std::sqrt(nearest.reach2()) : lookup.radius;
+}
+
+void PhotonMap::estimate_at_places(const PhotonLookup& lookup) {
+  estimates_.assign(photons_.size(), Rgb(0));
+  if (!(lookup.radius > 0)) return;
+  const int count = std::clamp(lookup.count / 2, 1, kMaxCount) + 1;
+  constexpr std::size_t kBlock = 256;
+  parallel_for((photons_.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
+    const std::size_t end = std::min(photons_.size(), (block + 1) * kBlock);
+    for (std::size_t i = block * kBlock; i < end; ++i) {
+      if (!is_place(i)) continue;
+      NearestHalf nearest(false, count, lookup.radius);
+      find(photons_[i].position, photons_[i].normal, nearest);
+      const float radius2 = nearest.is_full() ? nearest.reach2() : sqr(lookup.radius);
+      Rgb sum(0);
+      for (int k = nearest.is_full() ? 1 : 0; k < nearest.count(); ++k)
+        sum += photons_[nearest[k].index].power * 2.0f;
+      if (radius2 > 0) estimates_[i] = lookup.scale * sum * (1 / (kPi * radius2));
+    }
+  });
+}
+
+Rgb PhotonMap::coarse_irradiance(const Vec3& position, const Vec3& normal,
+                                 const PhotonLookup& lookup) const {
+  if (estimates_.empty()) return Rgb(0);
+  NearestHalf nearest(true, 1, kReachOfEstimates * lookup.radius);
+  find(position, normal, nearest);
+  return nearest.is_full() ? estimates_[nearest[0].index] : Rgb(0);
 }
 
 Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup,

@@ -94,7 +94,16 @@ class PhotonMap {
   ///          know theirs; null = nowhere. found: where to add how many spoke; null = nowhere.
   Rgb irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup,
                  Rgb* by_light = nullptr, std::size_t unknown = 0, int* found = nullptr) const;
-  /// Radius of the disc of that estimate.
+  /// Estimates the irradiance at half of the photons from the others, for coarse_irradiance().
+  void estimate_at_places(const PhotonLookup& lookup);
+  /// The estimate of the nearest of these places at most kReachOfEstimates radii away; black
+  /// without one. Several times as fast as irradiance(). No layers, filters and walls.
+  /// Source:  P. Christensen, "Faster Photon Map Global Illumination", Journal of Graphics Tools
+  ///          4(3), 1999.
+  /// Checked: PhotonMap.CoarseEstimatesKeepTheMean
+  Rgb coarse_irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup) const;
+  static constexpr float kReachOfEstimates = 4;
+  /// Radius of the disc of irradiance().
   float radius(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup) const;
   /// Multiplies the power of photon i, as photons() counts.
   void scale_power(std::size_t i, float factor) { photons_[i].power *= factor; }
@@ -110,6 +119,7 @@ class PhotonMap {
   std::vector<Photon> photons_;
   std::vector<std::uint8_t> axis_;
   std::vector<std::uint8_t> near_wall_;  // empty: unknown
+  std::vector<Rgb> estimates_;           // one for each photon; empty: not made
 };
 
 /// Whether an opaque surface is between two points that lie as far above a surface.

@@ -55,6 +55,25 @@ TEST(PhotonMap, EstimatesAUniformPlaneByCountAndByRadius) {
     }
 }
 
+TEST(PhotonMap, CoarseEstimatesKeepTheMean) {
+  PhotonMap map(plane(20000));
+  // By the radius alone, with few photons in each disc, and by the count.
+  for (const auto& [count, radius] : {std::pair(1000, .03f), {10, .1f}}) {
+    const PhotonLookup lookup{.count = count, .radius = radius};
+    map.estimate_at_places(lookup);
+    double mean = 0;
+    for (int y = -50; y <= 50; ++y)
+      for (int x = -50; x <= 50; ++x)
+        mean += map.coarse_irradiance(Vec3(x * .018f, y * .018f, 0), kUp, lookup).y / 2;
+    mean /= 101 * 101;
+    // Half of the 14 photons in a disc count, and about 1100 discs are independent: 3 standard
+    // errors are .034. By photons that count themselves it would be too bright, by all others too
+    // dark.
+    EXPECT_NEAR(mean, 1, .034) << count;
+  }
+  EXPECT_EQ(map.coarse_irradiance(Vec3(0, 0, 1), kUp, {.count = 10, .radius = .03f}), Rgb(0));
+}
+
 TEST(PhotonMap, FiltersDifferInBlurOnly) {
   const auto estimate = [](Filter filter, float constant, float x) {
     Photon photon;

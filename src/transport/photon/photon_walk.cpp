@@ -63,6 +63,10 @@ class PhotonWalk {
                        !settings_.globillum);
   }
   /// Whether the photon counts only if a mirror or clear glass scatters it next.
+  /// Whether glass refracts photons; otherwise they pass it straight.
+  bool bends_light(const Closure& closure) const {
+    return closure.refractive_caustics && world_.options.caustic.on;
+  }
   bool needs_caster() const { return settings_.sharp && !scattered_; }
   void stop() {
     log_.balance.stopped += precise(power());
@@ -183,6 +187,8 @@ void PhotonWalk::store(const ShadingPoint& point, const Rgb& power) {
 }
 
 /// Probability of each lobe: the share of power that it keeps. Returns their sum, at most 1.
+/// Where only caustics are wanted and glass is passed straight, its lobes have equal probabilities:
+/// the few percent that it reflects would else be found by few photons.
 float PhotonWalk::choose_lobes(const Closure& closure, LobeChoice& choice) const {
   const Rgb now = power();
   const float most = max_component(now);
@@ -192,6 +198,7 @@ float PhotonWalk::choose_lobes(const Closure& closure, LobeChoice& choice) const
     if (lobe.controls.highlights_only || is_highlight(lobe.kind)) continue;
     if (needs_caster() && !is_delta(lobe.kind)) continue;
     choice.rays[i] = std::max(0.0f, max_component(lobe.weight * now)) / most;
+    if (needs_caster() && choice.rays[i] > 0 && !bends_light(closure)) choice.rays[i] = 1;
     total += choice.rays[i];
   }
   if (total > 1) {
@@ -250,8 +257,8 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
   const int index = choose_lobe(closure, choice, u);
   const LobeKind kind = closure.lobes[index].kind;
 
-  const bool refracts = closure.refractive_caustics && world_.options.caustic.on;
-  if (transmits(kind) && material.may_transmit && !material.filters_shadows() && !refracts) {
+  if (transmits(kind) && material.may_transmit && !material.filters_shadows() &&
+      !bends_light(closure)) {
     Rgb through(0);
     float chance = 0;
     for (int i = 0; i < closure.count; ++i) {
@@ -307,10 +314,12 @@ bool PhotonWalk::pass_filter(Closure& closure, const Material& material, Shading
   for (int i = 0; i < closure.count; ++i) {
     Lobe& lobe = closure.lobes[i];
     if (transmits(lobe.kind)) lobe.weight = Rgb(0);
+    if (needs_caster() && !is_delta(lobe.kind)) continue;
     if (!lobe.controls.highlights_only) other += lobe.weight * closure.opacity;
   }
   const float share = max_component(through * now) / max_component(now);
-  const float p = share / std::max(1.0f, share + max_component(other * now) / max_component(now));
+  float p = share / std::max(1.0f, share + max_component(other * now) / max_component(now));
+  if (needs_caster() && share > 0) p = is_black(other) ? 1 : 0.5f;
   if (sampler_.next_1d() >= p) {
     lose(factor_ / (1 - p));
     return false;

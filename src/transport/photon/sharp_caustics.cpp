@@ -33,9 +33,10 @@ bool is_small(const Light& light, float scene_diagonal) {
 /// Whether rays that leave mirrors can hit the light.
 bool is_met_by_mirrors(const Light& light) { return has_extent(light.shape) && light.visible; }
 
-bool belongs_to_photons(const Light& light, float scene_diagonal) {
+bool is_one_of(const Light& light, CausticLights which, bool caustic_on, float scene_diagonal) {
   if (light.portal || light.photons.none || !gives_direct_light(light)) return false;
-  return !is_met_by_mirrors(light) || is_small(light, scene_diagonal);
+  const bool found = is_met_by_mirrors(light) && !(caustic_on && is_small(light, scene_diagonal));
+  return found == (which == CausticLights::Found);
 }
 
 /// The middle of a triangle, seen at a slant from its front; false for a triangle without area.
@@ -122,11 +123,12 @@ SharpCaustics::Sphere bounding_sphere(const geom::Accel& accel, std::uint32_t in
 
 }  // namespace
 
-SharpCaustics::SharpCaustics(const World& world)
+SharpCaustics::SharpCaustics(const World& world, CausticLights which)
     : lights_(world.lights.size(), 0), casters_(world.instances.size(), 0) {
   const float diagonal = length(world.accel->bounds().size());
   for (std::size_t i = 0; i < lights_.size(); ++i)
-    if (belongs_to_photons(world.lights[i], diagonal)) lights_[i] = 1, ++light_count_;
+    if (is_one_of(world.lights[i], which, world.options.caustic.on, diagonal))
+      lights_[i] = 1, ++light_count_;
   if (light_count_ == 0) return;
   for (std::uint32_t i = 0; i < world.accel->instance_count(); ++i) {
     if (!casts_caustics(world, i)) continue;
