@@ -36,7 +36,14 @@ def transparent_shadows(tree, node, glass, ior):
     thin, choice = node("ShaderNodeMixShader"), node("ShaderNodeMixShader")
     mirror = node("ShaderNodeBsdfGlossy", (1, 1, 1), Roughness=0)
     mirror.distribution = "SHARP"
-    tree.links.new(node("ShaderNodeFresnel", IOR=ior).outputs[0], thin.inputs[0])
+    # Rays that were not bent meet both faces at the angle outside: the node inverts the index of a
+    # back side, so that it gets the inverse there.
+    face, index, fresnel = node("ShaderNodeNewGeometry"), node("ShaderNodeMath"), node("ShaderNodeFresnel")
+    index.operation = "MULTIPLY_ADD"
+    index.inputs[1].default_value, index.inputs[2].default_value = 1 / ior - ior, ior
+    tree.links.new(face.outputs["Backfacing"], index.inputs[0])
+    tree.links.new(index.outputs[0], fresnel.inputs["IOR"])
+    tree.links.new(fresnel.outputs[0], thin.inputs[0])
     tree.links.new(node("ShaderNodeBsdfTransparent", (1, 1, 1)).outputs[0], thin.inputs[1])
     tree.links.new(mirror.outputs[0], thin.inputs[2])
     tree.links.new(either.outputs[0], choice.inputs[0])

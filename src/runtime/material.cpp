@@ -38,6 +38,7 @@ void shade_for_photons(const Material& material, ShadingPoint& point, Closure& c
 }
 
 void shade_blocker(const Material& material, ShadingPoint& point, Closure& closure) {
+  point.unbent = true;
   if (!material.volume.empty()) closure.volume = &material.volume;
   if (!material.filters_shadows()) return shade(material.surface, point, closure);
   const RayKind kind = std::exchange(point.ray_kind, RayKind::Shadow);
@@ -46,6 +47,7 @@ void shade_blocker(const Material& material, ShadingPoint& point, Closure& closu
 }
 
 Rgb filter_light(const Material& material, ShadingPoint& point, Rgb light) {
+  point.unbent = true;
   const RayKind kind = std::exchange(point.ray_kind, RayKind::Shadow);
   for (const ShaderNode* node : material.shadow)
     light = node->with_params(

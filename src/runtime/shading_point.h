@@ -87,6 +87,9 @@ struct ShadingPoint {
   RayKind ray_kind = RayKind::Eye;
   bool environment = false;  ///< no surface: the call is for the environment in ray_direction
   bool blurred = false;      ///< the ray belongs to a glossy lobe
+  /// Rays pass transparency without refraction: shadow rays, rays behind a diffuse bounce, photons;
+  /// except where the surface makes refractive caustics.
+  bool unbent = false;
   /// of the part of a lobe that a look-up represents; 0 = one direction
   float roughness = 0;
   bool nearest_texels = false;  ///< texture look-ups return single texels without interpolation

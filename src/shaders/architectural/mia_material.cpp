@@ -226,6 +226,14 @@ bool passes_straight(const ShadingPoint& point, const Closure& closure) {
          point.world->instances[static_cast<std::size_t>(point.instance)].flat_pane;
 }
 
+/// The face of a solid that decides about reflection. Rays that were not bent on the way in meet
+/// its back at the angle outside of the solid, where nothing is reflected totally: as a front.
+bool is_back_for_rays(const ShadingPoint& point, const Closure& closure, bool inside) {
+  const bool bent = !point.unbent ||
+                    (closure.refractive_caustics && point.world && point.world->options.caustic.on);
+  return inside && bent;
+}
+
 void shade_mia(const Call& call, Closure& closure, bool extended) {
   const MiaMaterialParams& p = call.as<MiaMaterialParams>();
   ShadingPoint& point = call.point;
@@ -248,7 +256,7 @@ void shade_mia(const Call& call, Closure& closure, bool extended) {
   const float cos_view = clamp01(dot(n.specular, point.wo()));
   // Opaque surfaces have no inside, regardless of the orientation of normals (manual 1.6.3).
   const bool inside = point.back_side && !p.thin_walled && p.transparency > 0;
-  const MiaLevels levels = mia_levels(p, cos_view, inside);
+  const MiaLevels levels = mia_levels(p, cos_view, is_back_for_rays(point, closure, inside));
 
   add_diffuse(p, levels.diffuse, n.diffuse, closure);
   /// Upper limit of a "weak" inner reflection: that of glass except close to total internal

@@ -175,7 +175,9 @@ void dielectric(const Call& call, Closure& closure) {
   closure.thin_walled = false;
   const Vec3 normal = facing_viewer(point.normal, point);
   const float eta = ratio(point, p.ior, p.ior_out);
-  const float reflected = bsdf::fresnel_dielectric(dot(normal, point.wo()), eta);
+  // Unbent rays meet the back at the angle outside of the solid.
+  const float reflected = bsdf::fresnel_dielectric(dot(normal, point.wo()),
+                                                   point.unbent && point.back_side ? 1 / eta : eta);
   add(LobeKind::Mirror, LobeType::Reflection, Rgb(reflected),
       Frame(reflecting_outward(normal, point)), closure);
   if (reflected < 1) {

@@ -111,6 +111,7 @@ std::optional<Rgb> passed_by_chain(const World& world, const ChainReceiver& from
     ShadingPoint point;
     fill_point(world, chain.ray[i], chain.hit[i], {},
                i == 0 ? RayKind::PhotonLight : RayKind::PhotonTransmitSpecular, point);
+    point.unbent = true;
     const Material& material = material_of(world, chain.hit[i]);
     if (!material.photon.empty() || !material.volume.empty()) return std::nullopt;
     Closure closure;

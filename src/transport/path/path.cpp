@@ -180,6 +180,7 @@ const Material& Path::shade_surface(const geom::Hit& hit, ShadingPoint& point, C
   fill_point(world_, way_.ray, hit, way_.cone, way_.kind, point);
   point.raster = raster_;
   point.blurred = way_.blurred;
+  point.unbent = depth_.after_diffuse;
   way_.cone.width = way_.cone.width_at(hit.t);
   const Material& material = material_of(world_, hit);
   SceneTracer tracer(world_, sampler_, counts_, this);

@@ -176,6 +176,7 @@ Rgb Path::seen_of(const SurfaceTarget& target, const Closure& closure, const Sha
     fill_point(world_, ray, hit, cone, kind, met);
     met.raster = raster_;
     met.blurred = !gathers;
+    met.unbent = straight;
     cone.width = cone.width_at(hit.t);
     Closure its;
     SceneTracer tracer(world_, sampler_, counts_);

@@ -373,6 +373,7 @@ bool PhotonWalk::ask_shaders(const Closure& closure, const Material& material, S
 bool PhotonWalk::shade_hit(const geom::Hit& hit) {
   ShadingPoint point;
   fill_point(world_, way_.ray, hit, {}, way_.kind, point);
+  point.unbent = true;
   if (!(visibility(point) & kMeetsCaustics)) {
     const Vec3 left = way_.left;
     follow(point, way_.ray.dir);

@@ -280,5 +280,38 @@ TEST(Glass, SkyThroughASlabIsTheSameByEitherEstimator) {
     }
 }
 
+/// A dark card under a solid pane, so that light between both does not count.
+SceneText card_below_glass(const std::string& options, const std::string& glass) {
+  SceneText scene{"trace depth 8 8 12 " + options};
+  scene.lambert("card", .004f)
+      .square("card", Vec3(0), 5, kUp)
+      .material("glass", glass)
+      .box("glass", Vec3(-200, -200, 1), Vec3(200, 200, 1.1f));
+  return scene;
+}
+
+// acceptance: T8
+TEST(Glass, TheSunPassesASolidPaneAtEveryAngle) {
+  // Unbent rays meet both faces at the angle outside: beyond 41.8 degrees, too, none of them is
+  // reflected totally.
+  for (const char* options : {"shadow on", "shadow segments", "shadow segments caustic on"})
+    for (const char* glass : {kGlass,
+                              "\"reflectivity\" 1, \"transparency\" 1, "
+                              "\"diffuse_weight\" 0, \"refr_ior\" 1.5, "
+                              "\"brdf_fresnel\" on, \"do_refractive_caustics\" off"})
+      for (const double degrees : {0.0, 30.0, 50.0, 70.0}) {
+        const double cosine = std::cos(degrees * kRadians), sine = std::sin(degrees * kRadians);
+        SceneText scene = card_below_glass(options, glass);
+        scene.light("sun", fmt::format("\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) "
+                                       "direction {} 0 {}",
+                                       sine, -cosine));
+        const double through = 1 - fresnel(degrees, 1.5);
+        const double exact = .004 * cosine * through * through;
+        // The card and the pane reflect .03 % to and fro.
+        EXPECT_NEAR(Probe(scene).onto(Vec3(0), kUp, 40, 1024).mean.x / exact, 1, 1e-3)
+            << degrees << " degrees, " << options;
+      }
+}
+
 }  // namespace glass_test
 }  // namespace oriel::testing

@@ -32,7 +32,8 @@ TEST(Furnace, NoMaterialIsBrighterThanItsSurround) {
         std::pow(10.0f, 2 * u() - 1), u(), u(), u(), 1 + 5 * u(), u() < 0.7f ? 1 : u());
     m += flag("refl_is_metal", .3f) + flag("thin_walled", .4f) + flag("refr_translucency", .4f) +
          flag("brdf_fresnel", .4f) + flag("skip_inside_refl", .5f);
-    const Measured r = ball_in_furnace(m, 12288);
+    Measured r = ball_in_furnace(m, 12288);
+    if (max_component(r.error) >= 0.006f) r = ball_in_furnace(m, 98304);
     for (int k = 0; k < 3; ++k) {
       EXPECT_LE(r.mean[k], 1.001f + 4 * r.error[k]) << m << " channel " << k;
       EXPECT_LT(r.error[k], 0.006f) << m;
