@@ -10,44 +10,15 @@
 #include <ctime>
 
 #include "sampling/sampler.h"
+#include "transport/gather/gather_test_records.h"
 
 namespace oriel {
 namespace gather_cache_test {
 
-const Vec3 kUp(0, 0, 1);
-
-GatherRecord record(const Vec3& position, float e, float radius = 1, const Vec3& normal = kUp) {
-  GatherRecord r;
-  r.position = position;
-  r.normal = normal;
-  r.irradiance = Rgb(e);
-  r.radius = radius;
-  r.mean_distance = radius;
-  r.min_distance = 0;
-  r.incoming.mean = Rgb(e / kPi);
-  return r;
-}
-
-/// Records strewn over the square [0, 1]^2 of the floor with a field's values and gradients.
-template <class Field>
-std::vector<GatherRecord> strewn(int count, float radius, const Field& field,
-                                 const Vec3& gradient = Vec3(0)) {
-  std::vector<GatherRecord> records;
-  for (int i = 0; i < count; ++i) {
-    const Vec2 u = sampling::Sampler(0, 0, static_cast<std::uint32_t>(i)).next_2d();
-    records.push_back(record(Vec3(u.x, u.y, 0), field(u), radius));
-    records.back().by_position = {gradient, gradient, gradient};
-  }
-  return records;
-}
-
-GatherQuery at(const Vec3& position, int points = 0, const Vec3& normal = kUp) {
-  GatherQuery q;
-  q.position = position;
-  q.normal = normal;
-  q.points = points;
-  return q;
-}
+using gather_records::at;
+using gather_records::kUp;
+using gather_records::record;
+using gather_records::strewn;
 
 bool same(const std::optional<Gathered>& a, const std::optional<Gathered>& b) {
   if (!a || !b) return !a == !b;

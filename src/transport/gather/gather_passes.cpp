@@ -117,7 +117,10 @@ void gather_for_picture(const World& world, const Window& window, const GatherPa
     });
     if (share && !exchange_rows(*share, made, of_pass)) return;
     counts += of_pass;
-    for (const auto& row : made) cache.insert(row);
+    // At once, because each insertion rebuilds the arrays of look-ups.
+    std::vector<GatherRecord> records;
+    for (const auto& row : made) records.insert(records.end(), row.begin(), row.end());
+    cache.insert(records);
     cache.settle_radii();
     done += part;
     after_pass();

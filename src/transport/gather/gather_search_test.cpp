@@ -6,43 +6,15 @@
 
 #include "base/math.h"
 #include "sampling/sampler.h"
-#include "transport/gather/gather_cache.h"
+#include "transport/gather/gather_test_records.h"
 
 namespace oriel {
 namespace gather_search_test {
 
-const Vec3 kUp(0, 0, 1);
-
-GatherRecord record(const Vec3& position, float e, float radius = 1, const Vec3& normal = kUp) {
-  GatherRecord r;
-  r.position = position;
-  r.normal = normal;
-  r.irradiance = Rgb(e);
-  r.radius = radius;
-  r.mean_distance = radius;
-  r.min_distance = 0;
-  r.incoming.mean = Rgb(e / kPi);
-  return r;
-}
-
-/// Records strewn over the square [0, 1]^2 of the floor with a field's values.
-template <class Field>
-std::vector<GatherRecord> strewn(int count, float radius, const Field& field) {
-  std::vector<GatherRecord> records;
-  for (int i = 0; i < count; ++i) {
-    const Vec2 u = sampling::Sampler(0, 0, static_cast<std::uint32_t>(i)).next_2d();
-    records.push_back(record(Vec3(u.x, u.y, 0), field(u), radius));
-  }
-  return records;
-}
-
-GatherQuery at(const Vec3& position, int points = 0, const Vec3& normal = kUp) {
-  GatherQuery q;
-  q.position = position;
-  q.normal = normal;
-  q.points = points;
-  return q;
-}
+using gather_records::at;
+using gather_records::kUp;
+using gather_records::record;
+using gather_records::strewn;
 
 // Irradiance 1 + x^2 with its gradient 2 x: a record is too dark by the square of the distance.
 TEST(GatherCache, OfExactRecordsNearerOnesCount) {
