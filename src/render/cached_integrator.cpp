@@ -60,16 +60,17 @@ PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std
   return settings;
 }
 
-/// Stored photons of all lights that rays find rarely: one for so many camera paths, within limits;
-/// and the share of them by which pilot paths decide. Of 20 000, 30 000, 60 000 and 300 000 photons
-/// for 1.4 million paths, 30 000 had the smallest product of squared error and time (glass balls).
+/// Lights that rays find rarely store one photon for so many camera paths, all together and within
+/// limits. Pilot paths decide with a share of these photons. Of 20 000, 30 000, 60 000 and 300 000
+/// photons for 1.4 million paths, 30 000 had the smallest product of squared error and time (glass
+/// balls).
 constexpr double kPathsOfPhoton = 40, kFewestOfLights = 20000, kMostOfLights = 300000;
 constexpr double kDecidingShare = 0.25;
 /// Estimates of these photons: of so many, at most this share of the scene's radius away.
 constexpr int kPhotonsOfEstimate = 24;
 constexpr float kRadiusOfEstimate = 0.03f;
-/// Gain from which on photons bring caustics that rays find: it does not count the time of
-/// look-ups and photons, about a third in a simple scene.
+/// Photons replace rays that find caustics if pilot paths gain at least this much. The gain does
+/// not count the time of photons and look-ups, about a third in a simple scene.
 constexpr float kWorthwhilePhotons = 1.3f;
 
 PhotonSettings sharp_photon_settings(const World& world, const SharpCaustics& sharp,
@@ -296,6 +297,7 @@ void CachedIntegrator::trace_rarely_found(const IntegratorPreparation& p) {
   const auto pilots = [&] {
     return PilotPaths(world_, p.picture, path_settings(), p.seed, p.counts);
   };
+  maps_.rarely_found = nullptr;  // of an earlier preparation
   const PilotPaths without = pilots();
   const double photons = std::clamp(p.paths / kPathsOfPhoton, kFewestOfLights, kMostOfLights);
   rarely_found_ = photons_of_found_lights(world_, p, lights, kDecidingShare * photons);

@@ -54,8 +54,7 @@ Rgb transmittance(const Medium& medium, float distance) {
 
 Transmittance straight_transmission(const Closure& closure, const scene::RenderOptions& options) {
   Rgb all(0), clear(0);
-  const bool refracts = closure.refractive_caustics && options.caustic.on;
-  if (!refracts)
+  if (!bends_light(closure, options))
     for (int i = 0; i < closure.count; ++i) {
       const Lobe& lobe = closure.lobes[i];
       if (!transmits(lobe.kind)) continue;

@@ -66,6 +66,12 @@ Transmittance straight_transmission(const Closure& closure, const scene::RenderO
 Rgb straight_through(const Material& material, ShadingPoint& point,
                      const scene::RenderOptions& options, Closure& by);
 
+/// Whether the surface bends light of photons, and of paths backwards from a diffuse surface.
+/// Otherwise these and shadow rays pass its transparency straight.
+inline bool bends_light(const Closure& closure, const scene::RenderOptions& options) {
+  return closure.refractive_caustics && options.caustic.on;
+}
+
 /// Whether the medium absorbs rays that pass glass straight, as it does shadow rays.
 inline bool straight_rays_fade(const scene::RenderOptions& options) {
   return options.shadow == scene::ShadowMode::Segments;

@@ -69,15 +69,21 @@ constexpr const char* kLamp =
     "\"physical_light\" ( \"color\" 300 300 300 ) origin 0 0 4 direction 0 0 -1 "
     "disc 0 0 -1 .5 3 3";
 
-// acceptance: Q3
-TEST(CausticPictures, MirrorThrowsTheSunOnACeiling) {
+/// A mirror on the ground that reflects the sun to a ceiling.
+SceneText mirror_below_ceiling(float albedo) {
   SceneText scene = caustic_scene();
-  scene.lambert("ceiling", .5f)
+  scene.lambert("ceiling", albedo)
       .material("mirror", kMetal)
       .square("mirror", Vec3(0), 1, kUp)
       .square("ceiling", Vec3(2.2f, 0, 2), 1.2f, -kUp)
       .light("sun", infinite(Vec3(1, 0, -1)));
   look_at_floor(scene, Vec3(2, 0, 2), .3f, true);
+  return scene;
+}
+
+// acceptance: Q3
+TEST(CausticPictures, MirrorThrowsTheSunOnACeiling) {
+  const SceneText scene = mirror_below_ceiling(.5f);
   const double exact = .5 * .8 * std::numbers::sqrt2 / 2;
   for (const char* method : {"path", "path+cache"})
     EXPECT_NEAR(rendered(scene, method, 16), exact, .01 * exact) << method;
@@ -134,14 +140,7 @@ double deviation(SceneText scene, double exact) {
 // acceptance: Q3
 TEST(CausticPictures, LightByMirrorsAndLevelWaterHasNoNoise) {
   // Photons alone deviate by 30 %.
-  SceneText mirror = caustic_scene();
-  mirror.lambert("ceiling", .004f)
-      .material("mirror", kMetal)
-      .square("mirror", Vec3(0), 1, kUp)
-      .square("ceiling", Vec3(2.2f, 0, 2), 1.2f, -kUp)
-      .light("sun", infinite(Vec3(1, 0, -1)));
-  look_at_floor(mirror, Vec3(2, 0, 2), .3f, true);
-  EXPECT_LT(deviation(mirror, .004 * .8 * std::numbers::sqrt2 / 2), .002);
+  EXPECT_LT(deviation(mirror_below_ceiling(.004f), .004 * .8 * std::numbers::sqrt2 / 2), .002);
 
   // A point above water: rays at small angles a from the vertical reach the floor at the distance
   // (height + depth / index) a. The light does not decay with the distance from the point to the

@@ -175,7 +175,8 @@ void dielectric(const Call& call, Closure& closure) {
   closure.thin_walled = false;
   const Vec3 normal = facing_viewer(point.normal, point);
   const float eta = ratio(point, p.ior, p.ior_out);
-  // Unbent rays meet the back at the angle outside of the solid.
+  // A ray that was not refracted on the way in has the same angle at both faces, and its
+  // reflectance at the back is that of the front.
   const float reflected = bsdf::fresnel_dielectric(dot(normal, point.wo()),
                                                    point.unbent && point.back_side ? 1 / eta : eta);
   add(LobeKind::Mirror, LobeType::Reflection, Rgb(reflected),

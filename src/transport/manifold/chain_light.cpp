@@ -118,7 +118,7 @@ std::optional<Rgb> passed_by_chain(const World& world, const ChainReceiver& from
     shade_for_photons(material, point, closure);
     if (closure.opacity < 1 || closure.volume) return std::nullopt;
     if (kind.refracts(i) && material.may_transmit &&
-        (material.filters_shadows() || !(closure.refractive_caustics && world.options.caustic.on)))
+        (material.filters_shadows() || !bends_light(closure, world.options)))
       return std::nullopt;
     way.meet_surface(closure, point);
     passed *= transmittance(way.medium, length(point.position - left));

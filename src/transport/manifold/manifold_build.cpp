@@ -19,7 +19,7 @@ constexpr std::uint64_t kBlock = 256, kShare = 8;
 constexpr std::size_t kProbe = 1000;
 /// A caster of fewer photons of the probe is not judged.
 constexpr int kFewest = 10;
-/// Share of the chains of a caster that the search must find.
+/// The search is used for casters of which it finds at least this share of the chains.
 constexpr float kLeastFound = 0.5f;
 /// Size of the smallest cells of starts, in radii of photon estimates.
 constexpr float kCell = 0.5f;
@@ -185,8 +185,8 @@ class ManifoldBuilder {
     return any;
   }
 
-  /// Finds the lights whose place on the light changes caustics so much that samples of it are
-  /// noisier than photons. True: there are some.
+  /// Excludes lights for which the search is noisier than photons, since their chains depend much
+  /// on the sampled place on the light. True: there are some.
   bool judge_lights() {
     bool any = false;
     std::vector<std::vector<std::uint32_t>> photons(lights_.size());

@@ -38,13 +38,13 @@ void search_chains(const World& world, const ChainStarts::Found& at, const Chain
 /// Divides the light of caustic photons into chains that a search finds, and a map of the others.
 ///
 /// Model:   the search at a place is deterministic for a given place on the light: Newton's method
-///          from each start of the place (ChainStarts, made of 7 of 8 photons). The eighth photon
-///          belongs to `missed`, with eight times its power, if the search at its place, for its
-///          place on the light, does not find its chain, or if the chain is concentrated more than
-///          the limit of its cell (foci, which would be noise). So each chain is counted once,
-///          whatever the search misses. Photons with glossy or more than ChainKind::kMost
-///          interfaces, or of casters where the search finds less than half of the chains, are in
-///          `others` without a search.
+///          from each start of the place (ChainStarts, made of 7 of 8 photons). One photon of eight
+///          is compared with the search at its place, to its place on the light. It is stored in
+///          `missed`, with eight times its power, if the search does not find its chain, or if the
+///          chain is concentrated more than the limit of its cell (foci, which would be noise). So
+///          each chain is counted once, whatever the search misses. Photons with glossy or more
+///          than ChainKind::kMost interfaces, or of casters where the search finds less than half
+///          of the chains, are in `others` without a search.
 /// Source:  J. Hanika, M. Droske, L. Fascione, "Manifold Next Event Estimation", 2015.
 /// Checked: CausticPictures.*, Caustics.* in tests/cross_method
 class ManifoldCaustics {

@@ -54,9 +54,8 @@ bool trace_chain(const World& world, const ChainReceiver& from, const ChainKind&
 /// The chain of a kind that ends at the target, found from a first direction near to that of the
 /// solution. Nothing if the iteration does not converge.
 ///
-/// Source:  J. Hanika, M. Droske, L. Fascione, "Manifold Next Event Estimation", 2015; here
-/// Newton's
-///          method moves the first direction, so that every step is an exact chain.
+/// Source:  J. Hanika, M. Droske, L. Fascione, "Manifold Next Event Estimation", 2015. Here
+///          Newton's method moves the first direction, so that every step is an exact chain.
 std::optional<SpecularChain> find_chain(const World& world, const ChainReceiver& from,
                                         const ChainKind& kind, const Vec3& first,
                                         const ChainTarget& target, RayCounts& counts);

@@ -118,8 +118,7 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
     factor = Rgb(1);  // chosen with probability 1 - opacity
     if (!aov_.fixed) aov_.part = closure.outputs ? Aov::Background : Aov::Other;
     aov_.fixed = true;
-  } else if (depth_.after_diffuse && keeps_weights &&
-             !(closure.refractive_caustics && world_.options.caustic.on)) {
+  } else if (depth_.after_diffuse && keeps_weights && !bends_light(closure, world_.options)) {
     // The choice between straight transmission and everything else, by their weights.
     Rgb through(0), other(closure.emission);
     for (int i = 0; i < closure.count; ++i)

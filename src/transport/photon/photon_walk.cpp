@@ -63,10 +63,6 @@ class PhotonWalk {
                        !settings_.globillum);
   }
   /// Whether the photon counts only if a mirror or clear glass scatters it next.
-  /// Whether glass refracts photons; otherwise they pass it straight.
-  bool bends_light(const Closure& closure) const {
-    return closure.refractive_caustics && world_.options.caustic.on;
-  }
   bool needs_caster() const { return settings_.sharp && !scattered_; }
   void stop() {
     log_.balance.stopped += precise(power());
@@ -198,7 +194,8 @@ float PhotonWalk::choose_lobes(const Closure& closure, LobeChoice& choice) const
     if (lobe.controls.highlights_only || is_highlight(lobe.kind)) continue;
     if (needs_caster() && !is_delta(lobe.kind)) continue;
     choice.rays[i] = std::max(0.0f, max_component(lobe.weight * now)) / most;
-    if (needs_caster() && choice.rays[i] > 0 && !bends_light(closure)) choice.rays[i] = 1;
+    if (needs_caster() && choice.rays[i] > 0 && !bends_light(closure, world_.options))
+      choice.rays[i] = 1;
     total += choice.rays[i];
   }
   if (total > 1) {
@@ -258,7 +255,7 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
   const LobeKind kind = closure.lobes[index].kind;
 
   if (transmits(kind) && material.may_transmit && !material.filters_shadows() &&
-      !bends_light(closure)) {
+      !bends_light(closure, world_.options)) {
     Rgb through(0);
     float chance = 0;
     for (int i = 0; i < closure.count; ++i) {
