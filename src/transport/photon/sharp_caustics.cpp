@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "geom/accel.h"
 #include "lights/sample_light.h"
 #include "transport/lobes.h"
@@ -130,11 +131,11 @@ SharpCaustics::SharpCaustics(const World& world, CausticLights which)
     if (is_one_of(world.lights[i], which, world.options.caustic.on, diagonal))
       lights_[i] = 1, ++light_count_;
   if (light_count_ == 0) return;
-  for (std::uint32_t i = 0; i < world.accel->instance_count(); ++i) {
-    if (!casts_caustics(world, i)) continue;
-    casters_[i] = 1;
-    spheres_.push_back(bounding_sphere(*world.accel, i));
-  }
+  parallel_for(world.accel->instance_count(), [&](std::size_t i) {
+    casters_[i] = casts_caustics(world, static_cast<std::uint32_t>(i)) ? 1 : 0;
+  });
+  for (std::uint32_t i = 0; i < world.accel->instance_count(); ++i)
+    if (casters_[i] != 0) spheres_.push_back(bounding_sphere(*world.accel, i));
 }
 
 }  // namespace oriel
