@@ -7,8 +7,11 @@ import puppeteer from "puppeteer-core";
 const PATHS = [process.env.ORIEL_CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 export const CHROMIUM = PATHS.find((path) => path && existsSync(path));
 
+/** Longest wait for one condition: machines that test may be slow and run other tests beside. */
+export const TIMEOUT_MS = 120000;
+
 export async function openBrowser() {
-  return puppeteer.launch({executablePath: CHROMIUM, headless: true, args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]});
+  return puppeteer.launch({executablePath: CHROMIUM, headless: true, timeout: TIMEOUT_MS, args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]});
 }
 
 /**
@@ -17,6 +20,7 @@ export async function openBrowser() {
  */
 export async function openStudio(browser, server, o = {}) {
   const page = await browser.newPage();
+  page.setDefaultTimeout(TIMEOUT_MS);
   // Looking once per frame of the screen would have the whole page drawn again and again, by software.
   const wait = page.waitForFunction.bind(page);
   page.waitForFunction = (condition, options, ...values) => wait(condition, {polling: 40, ...options}, ...values);
@@ -26,13 +30,13 @@ export async function openStudio(browser, server, o = {}) {
   await page.setViewport({width: o.width ?? 1280, height: o.height ?? 800, deviceScaleFactor: 1});
   await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: o.scheme ?? "dark"}, {name: "prefers-reduced-motion", value: "reduce"}]);
   await page.goto(`${server.url}?test#token=${server.token}`);
-  await page.waitForFunction(() => window.__studio?.drawnFrame > 0, {timeout: o.timeout ?? 30000});
+  await page.waitForFunction(() => window.__studio?.drawnFrame > 0, {timeout: o.timeout ?? TIMEOUT_MS});
   return {page, errors, check: () => assert.deepEqual(errors, [])};
 }
 
 /** Waits until the picture has this many samples and is on the screen. */
 export async function waitForSamples(page, samples) {
-  await page.waitForFunction((n) => window.__studio.samples >= n && window.__studio.drawnFrame === window.__studio.app.session.frames.frame, {timeout: 30000}, samples);
+  await page.waitForFunction((n) => window.__studio.samples >= n && window.__studio.drawnFrame === window.__studio.app.session.frames.frame, {}, samples);
 }
 
 /** Bytes of the canvas below the picture, RGBA from the top. */

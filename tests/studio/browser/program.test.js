@@ -62,7 +62,7 @@ async function clickPicture(page, u, v) {
 async function open(browser, program) {
   const studio = await openStudio(browser, program, {width: 1440, height: 860, timeout: 180000});
   await studio.page.evaluate((size, samples) => window.__studio.app.session.view({size, budget: {samples, noise: null, seconds: null}}), SCENE.size, SCENE.samples);
-  await studio.page.waitForFunction((size) => window.__studio.app.session.state.size.join() === size.join(), {timeout: 120000}, SCENE.size);
+  await studio.page.waitForFunction((size) => window.__studio.app.session.state.size.join() === size.join(), {}, SCENE.size);
   await converged(studio.page);
   return studio;
 }
@@ -90,19 +90,20 @@ test("open, edit, move the sun, measure, relight, save, open again: the same pic
     const input = await field.$("input[type=number]");
     await input.click({clickCount: 3});
     await input.type("0.35\n");
-    await page.waitForFunction((e) => window.__studio.app.session.state.edits.includes(e), {timeout: 30000}, SCENE.gloss);
+    await page.waitForFunction((e) => window.__studio.app.session.state.edits.includes(e), {}, SCENE.gloss);
     await converged(page);
     await shot(page, "material");
 
     // The sun moves.
     await page.click("#tab-daylight");
+    const editsBeforeSun = (await edits(page)).length;
     await page.evaluate(() => {
       const slider = [...document.querySelectorAll("#panel-daylight input[type=range]")].find((s) => s.getAttribute("aria-label") === "Hour");
       slider.value = String(1000 * 15.5 / 24);
       slider.dispatchEvent(new Event("input"));
       slider.dispatchEvent(new Event("change"));
     });
-    await page.waitForFunction((before) => window.__studio.app.session.state.edits.length > before, {timeout: 30000}, (await edits(page)).length);
+    await page.waitForFunction((before) => window.__studio.app.session.state.edits.length > before, {}, editsBeforeSun);
     await converged(page);
     const second = await readCanvas(page);
     assert.notDeepEqual(second.pixels, first.pixels);
@@ -111,7 +112,7 @@ test("open, edit, move the sun, measure, relight, save, open again: the same pic
     // A lux grid on a picked surface.
     await page.keyboard.press("5");
     await clickPicture(page, 0.5, 0.9);
-    await page.waitForFunction(() => document.querySelector("#panel-measure").textContent.includes("Centre:"), {timeout: 30000});
+    await page.waitForFunction(() => document.querySelector("#panel-measure").textContent.includes("Centre:"));
     await page.evaluate(() => {
       const set = (label, value) => {
         const f = [...document.querySelectorAll("#panel-measure .field")].find((x) => x.querySelector("label")?.textContent === label).querySelector("input[type=number]");
@@ -123,7 +124,7 @@ test("open, edit, move the sun, measure, relight, save, open again: the same pic
       set("Time limit", "3");
     });
     await pressButton(page, "#panel-measure", "Measure grid");
-    await page.waitForSelector(".lux td", {timeout: 120000});
+    await page.waitForSelector(".lux td");
     const values = await page.$$eval(".lux td", (cells) => cells.map((c) => Number.parseFloat(c.title)));
     assert.equal(values.length, 12);
     assert.ok(values.every((v) => v >= 0) && values.some((v) => v > 0), String(values));
@@ -132,9 +133,9 @@ test("open, edit, move the sun, measure, relight, save, open again: the same pic
     // Numbers of a former scene are marked, those of the present one are not.
     assert.equal(await page.$eval(".lux", (table) => table.closest(".stale") !== null), false);
     await page.evaluate((name) => window.__studio.app.session.edit(`${name}.diffuse_weight=0.5`), SCENE.material);
-    await page.waitForFunction(() => document.querySelector(".lux").closest(".stale") !== null, {timeout: 30000});
+    await page.waitForFunction(() => document.querySelector(".lux").closest(".stale") !== null);
     await page.click("button[title^=Undo]");
-    await page.waitForFunction(() => document.querySelector(".lux").closest(".stale") === null, {timeout: 30000});
+    await page.waitForFunction(() => document.querySelector(".lux").closest(".stale") === null);
 
     // Relight in the page: the layers sum to the beauty, sliders do not restart the render.
     await page.keyboard.press("1");
@@ -145,7 +146,7 @@ test("open, edit, move the sun, measure, relight, save, open again: the same pic
     await page.waitForFunction(() => {
       const {session} = window.__studio.app;
       return session.state.light_layers.length > 0 && session.state.light_layers.every((l) => session.frames.names.includes(l));
-    }, {timeout: 120000});
+    });
     await converged(page);
     const epoch = await page.evaluate(() => window.__studio.app.session.state.epoch), mixed = await readCanvas(page);
     await page.evaluate(() => {
@@ -178,7 +179,7 @@ test("open, edit, move the sun, measure, relight, save, open again: the same pic
     await page.keyboard.down("Control");
     await page.keyboard.press("s");
     await page.keyboard.up("Control");
-    await page.waitForFunction(() => window.__studio.app.session.state.saved, {timeout: 30000});
+    await page.waitForFunction(() => window.__studio.app.session.state.saved);
     await converged(page);
     const picture = await readCanvas(page);
     const after = readFileSync(join(folder, SCENE.saved), "utf8");
@@ -233,15 +234,15 @@ test("the renderer ends by a signal or by a shader: the page shows it and contin
   try {
     program = await startProgram(join(folder, file), "--shader-path", folder);
     const {page} = await open(browser, program);
-    const banner = (text) => page.waitForFunction((t) => { const b = document.querySelector(".banner"); return !b.hidden && b.textContent.includes(t); }, {timeout: 60000}, text);
+    const banner = (text) => page.waitForFunction((t) => { const b = document.querySelector(".banner"); return !b.hidden && b.textContent.includes(t); }, {}, text);
     const continues = async (...expected) => {
-      await page.waitForFunction(() => document.querySelector(".banner").hidden, {timeout: 60000});
-      await page.waitForFunction((list) => JSON.stringify(window.__studio.app.session.state.edits) === list, {timeout: 60000}, JSON.stringify(expected));
-      await page.waitForFunction(() => window.__studio.app.session.progress?.status !== "crashed" && window.__studio.samples >= 1, {timeout: 60000});
+      await page.waitForFunction(() => document.querySelector(".banner").hidden);
+      await page.waitForFunction((list) => JSON.stringify(window.__studio.app.session.state.edits) === list, {}, JSON.stringify(expected));
+      await page.waitForFunction(() => window.__studio.app.session.progress?.status !== "crashed" && window.__studio.samples >= 1);
       assert.ok(new Set((await readCanvas(page)).pixels).size > 40);
     };
     await page.evaluate((text) => window.__studio.app.session.edit(text), gloss);
-    await page.waitForFunction(() => window.__studio.app.session.state.edits.length === 1, {timeout: 30000});
+    await page.waitForFunction(() => window.__studio.app.session.state.edits.length === 1);
     const renderer = readFileSync(`/proc/${program.pid}/task/${program.pid}/children`, "utf8").trim().split(" ").map(Number)[0];
     process.kill(renderer, "SIGSEGV");
     await banner("1 edit is kept");
@@ -251,9 +252,9 @@ test("the renderer ends by a signal or by a shader: the page shows it and contin
 
     // The user's shader is connected; a number in its panel ends the renderer.
     await page.evaluate(() => window.__studio.app.session.edit("oak.diffuse==own"));
-    await page.waitForFunction(() => window.__studio.app.session.state.edits.length === 2, {timeout: 30000});
+    await page.waitForFunction(() => window.__studio.app.session.state.edits.length === 2);
     await page.evaluate(() => window.__studio.app.select("own"));
-    await page.waitForFunction(() => document.querySelector("#panel-edit h2").textContent === "own" && document.querySelector(".element-body .field"), {timeout: 30000});
+    await page.waitForFunction(() => document.querySelector("#panel-edit h2").textContent === "own" && document.querySelector(".element-body .field"));
     const input = await (await page.evaluateHandle(() => [...document.querySelectorAll(".element-body .field")].find((f) => f.querySelector("label")?.textContent === "how"))).$("input[type=number]");
     await input.click({clickCount: 3});
     await input.type("2\n");
