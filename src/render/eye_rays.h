@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/integrator.h"
+#include "render/silhouettes.h"
 
 namespace oriel {
 
@@ -20,6 +21,14 @@ inline constexpr int kMaxLensRays = 65536;
 void trace_eye_rays(const World& world, const Integrator& integrator, Vec2 raster,
                     float samples_of_pixel, PathRecord& record, sampling::Sampler& sampler,
                     RayCounts& counts);
+/// The same without lens shaders where objects end before nothing: one path through a place that
+/// meets an object, weighted with the share of such places, and one for the others.
+///
+/// Inputs:  places: raster positions, each distributed as that of a sample.
+/// Checked: Silhouettes.AlphaAndLightAreTheExactCoverage
+void trace_at_silhouette(const World& world, const Integrator& integrator,
+                         const SilhouettePlaces& places, float samples_of_pixel, PathRecord& record,
+                         sampling::Sampler& sampler, RayCounts& counts);
 /// The same with path tracing and no optional values.
 PathResult trace_eye_rays(const World& world, Vec2 raster, sampling::Sampler& sampler,
                           RayCounts& counts);

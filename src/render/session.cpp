@@ -95,6 +95,12 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       saves_caches_(!settings.save_without_caches),
       started_(settings.started) {
   if (settings.mattes) mattes_.emplace(film_.width(), film_.height(), filter_, *settings.mattes);
+  // Not where a sample has to have one place: lens shaders have their own rays, colours that are
+  // mapped belong to a part of the pixel, mattes count paths, and filters have negative parts.
+  constexpr std::uint32_t kFewestSamples = 4;
+  looks_for_silhouettes_ = !settings.draft && budget_.max_samples >= kFewestSamples &&
+                           world.lens_rays.empty() && !film_.mapped() && !mattes_ &&
+                           !filter_.has_negative_lobes();
 }
 
 void RenderSession::clear_film() {
@@ -106,9 +112,10 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, PathRecord& 
                                  RayCounts& counts) const {
   const int column = window_.x0 + x, row = window_.y1 - 1 - y;
   sampling::Sampler sampler(column, row, index, seed_);
+  const Vec2 centre(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f);
+  const sampling::Sampler at_start = sampler;
   const FilterSampler::Offset offset = filter_.sample(sampler.next_2d());
-  const Vec2 raster(static_cast<float>(column) + 0.5f + offset.pixels.x,
-                    static_cast<float>(row) + 0.5f + offset.pixels.y);
+  const Vec2 raster = centre + offset.pixels;
 
   using Moment = EyeSample::Moment;
   const auto call = [&](Moment at, PathResult& result) {
@@ -118,7 +125,17 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, PathRecord& 
   call(Moment::StateInit, before);
   call(Moment::SampleInit, before);
   if (observer_) observer_->begin_sample(offset.negative);
-  trace_eye_rays(world_, *integrator_, raster, paths_of_pixel_, record, sampler, counts);
+  if (silhouettes_.contain(x, y)) {
+    constexpr std::uint32_t kPlaceBranch = 5003;
+    SilhouettePlaces places;
+    for (std::uint32_t i = 0; i < kSilhouettePlaces; ++i) {
+      const Vec2 u = at_start.split(i, kSilhouettePlaces, kPlaceBranch).next_2d();
+      places[i] = centre + filter_.sample(u).pixels;
+    }
+    trace_at_silhouette(world_, *integrator_, places, paths_of_pixel_, record, sampler, counts);
+  } else {
+    trace_eye_rays(world_, *integrator_, raster, paths_of_pixel_, record, sampler, counts);
+  }
   const float brightest = max_component(record.radiance);
   if (clamp_ > 0 && brightest > clamp_) record.scale(clamp_ / brightest);
   if (observer_) observer_->end_sample(record.radiance);
@@ -140,6 +157,7 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, PathRecord& 
 
 template <class Draw>
 void RenderSession::with_sampler(const Draw& draw) {
+  if (std::exchange(looks_for_silhouettes_, false)) silhouettes_ = Silhouettes(world_, window_);
   const RecordRequest request{.aovs = film_.keeps_outputs(),
                               .irradiance = irradiance_,
                               .first_surfaces = mattes_.has_value(),

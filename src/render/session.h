@@ -14,6 +14,7 @@
 #include "render/integrator.h"
 #include "render/mattes.h"
 #include "render/progressive.h"
+#include "render/silhouettes.h"
 #include "runtime/window.h"
 #include "runtime/world.h"
 #include "transport/counts.h"
@@ -215,9 +216,11 @@ class RenderSession {
   std::unique_ptr<Integrator> integrator_;
   bool saves_caches_;
   bool parts_have_unknown_light_ = false;
-  Progressive::State merged_;    ///< of the parts so far
-  bool prepared_ = false;        ///< the integrator has its caches
-  bool state_is_whole_ = false;  ///< see can_save()
+  Progressive::State merged_;  ///< of the parts so far
+  Silhouettes silhouettes_;
+  bool looks_for_silhouettes_ = false;  ///< before the first sample
+  bool prepared_ = false;               ///< the integrator has its caches
+  bool state_is_whole_ = false;         ///< see can_save()
   std::optional<std::chrono::steady_clock::time_point> started_;
   RayCounts rays_, rays_of_maps_;
   std::function<RayCounts()> rays_of_threads_;  ///< not yet in rays_; empty outside of draw()

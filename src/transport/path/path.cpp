@@ -20,6 +20,18 @@ constexpr int kMaxVertices = 256;
 /// sample.
 constexpr std::uint32_t kDrawsPerVertex = 12;
 
+/// A ray of the camera between its clipping planes.
+geom::Ray camera_ray(const Camera& camera, const Camera::Ray& eye) {
+  geom::Ray ray;
+  ray.org = eye.origin;
+  ray.dir = eye.direction;
+  ray.time = eye.time;
+  ray.tnear = camera.clip_near > 0 ? camera.clip_near / eye.cos_to_film : 0;
+  ray.tfar = camera.clip_far > 0 ? camera.clip_far / eye.cos_to_film : kInfinity;
+  ray.mask = geom::RayMask::Camera;
+  return ray;
+}
+
 }  // namespace
 
 std::uint32_t Path::mask() const {
@@ -281,13 +293,8 @@ void Path::walk() {
 }
 
 void Path::run(const Camera::Ray& eye) {
-  eye_hit_.eye = way_.ray.org = eye.origin;
-  way_.ray.dir = eye.direction;
-  way_.ray.time = eye.time;
-  const Camera& camera = world_.camera;
-  way_.ray.tnear = camera.clip_near > 0 ? camera.clip_near / eye.cos_to_film : 0;
-  way_.ray.tfar = camera.clip_far > 0 ? camera.clip_far / eye.cos_to_film : kInfinity;
-  way_.ray.mask = mask();
+  eye_hit_.eye = eye.origin;
+  way_.ray = camera_ray(world_.camera, eye);
   way_.cone = {eye.width, eye.spread};
   way_.begin(world_);
   walk();
@@ -334,6 +341,10 @@ PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
   PathRecord record;
   trace_path(world, eye, raster, settings, record, sampler, counts);
   return static_cast<const PathResult&>(record);
+}
+
+bool meets_object(const World& world, const Camera::Ray& eye) {
+  return world.accel->occluded(camera_ray(world.camera, eye));
 }
 
 }  // namespace oriel

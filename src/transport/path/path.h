@@ -63,6 +63,8 @@ void trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
 /// The same without optional values.
 PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
                       const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts);
+/// Whether such a path would meet an object; lamps and the environment are none.
+bool meets_object(const World& world, const Camera::Ray& eye);
 
 /// Traces a final gather ray from a surface; it sees surfaces and environment, no light sources.
 ///

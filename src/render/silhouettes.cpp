@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/silhouettes.h"
+
+#include "base/parallel.h"
+#include "runtime/environment_ray.h"
+#include "transport/path/path.h"
+
+namespace oriel {
+namespace {
+
+/// What rays through the centres of pixels meet: those of the window and of a margin of one pixel.
+class Centres {
+ public:
+  Centres(const World& world, const Window& window)
+      : world_(world), window_(window), width_(static_cast<std::size_t>(window.width() + 2)) {
+    const auto height = static_cast<std::size_t>(window.height() + 2);
+    met_.resize(width_ * height);
+    parallel_for(height, [&](std::size_t y) {
+      for (std::size_t x = 0; x < width_; ++x)
+        met_[y * width_ + x] = meets_object(world_, ray(x, y)) ? 1 : 0;
+    });
+  }
+
+  /// Inputs:  x, y: pixel of the window, from its top left.
+  bool are_before_black(std::size_t x, std::size_t y) const {
+    int objects = 0;
+    for (std::size_t j = y; j < y + 3; ++j)
+      for (std::size_t i = x; i < x + 3; ++i) objects += met_[j * width_ + i];
+    if (objects == 0 || objects == 9) return false;
+    for (std::size_t j = y; j < y + 3; ++j)
+      for (std::size_t i = x; i < x + 3; ++i)
+        if (!met_[j * width_ + i] && sees_black(i, j)) return true;
+    return false;
+  }
+
+ private:
+  Vec2 raster(std::size_t x, std::size_t y) const {
+    return window_.pixel_centre(static_cast<int>(x) - 1, static_cast<int>(y) - 1);
+  }
+  Camera::Ray ray(std::size_t x, std::size_t y) const { return world_.camera.ray(raster(x, y)); }
+  bool sees_black(std::size_t x, std::size_t y) const {
+    if (world_.environment.empty()) return true;
+    const Camera::Ray eye = ray(x, y);
+    return is_black(rgb(environment_radiance(
+        world_.environment, world_,
+        {.origin = eye.origin, .direction = eye.direction, .raster = raster(x, y)})));
+  }
+
+  const World& world_;
+  const Window& window_;
+  std::size_t width_;
+  std::vector<unsigned char> met_;
+};
+
+}  // namespace
+
+Silhouettes::Silhouettes(const World& world, const Window& window)
+    : width_(static_cast<std::size_t>(window.width())) {
+  const Centres centres(world, window);
+  const auto height = static_cast<std::size_t>(window.height());
+  pixels_.resize(width_ * height);
+  parallel_for(height, [&](std::size_t y) {
+    for (std::size_t x = 0; x < width_; ++x)
+      pixels_[y * width_ + x] = centres.are_before_black(x, y) ? 1 : 0;
+  });
+}
+
+}  // namespace oriel
