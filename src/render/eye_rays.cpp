@@ -157,35 +157,38 @@ void trace_eye_rays(const World& world, const Integrator& integrator, Vec2 raste
   record.end_mean();
 }
 
-void trace_at_silhouette(const World& world, const Integrator& integrator,
-                         const SilhouettePlaces& places, float samples_of_pixel, PathRecord& record,
-                         sampling::Sampler& sampler, RayCounts& counts) {
+void trace_at_silhouette(const World& world, const Integrator& integrator, SilhouetteSample& sample,
+                         float samples_of_pixel, PathRecord& record, sampling::Sampler& sampler,
+                         RayCounts& counts) {
   constexpr std::uint32_t kChoiceBranch = 5001, kMissBranch = 5002;
   const float time = shutter_time(world.shutter, sampler);
-  // Places that meet an object come first.
-  SilhouettePlaces sorted = places;
-  const auto end = std::partition(sorted.begin(), sorted.end(), [&](const Vec2& place) {
+  auto& places = sample.places;
+  const auto rest = std::partition(places.begin(), places.end(), [&](const Vec2& place) {
     return meets_object(world, world.camera.ray(place, time));
   });
+  sample.met = static_cast<std::size_t>(rest - places.begin());
   // Of the rays of a sample, one is its eye ray.
   const std::uint64_t eye_rays = counts.eye + 1;
-  counts.probe += sorted.size();
+  counts.probe += places.size();
   const float u = sampler.split(0, 1, kChoiceBranch).next_1d();
   record.begin_mean();
   PathRecord path(record.requested, record.user_buffers, record.observer);
-  const auto add = [&](auto from, auto to, sampling::Sampler& numbers) {
-    if (from == to) return;
+  const auto trace_one = [&](auto from, auto to, sampling::Sampler& numbers) {
+    path.reset();
+    if (from == to) return Rgb(0);
     const auto count = static_cast<float>(to - from);
     const Vec2 place = from[static_cast<std::ptrdiff_t>(u * count)];
-    const float share = count / static_cast<float>(sorted.size());
-    path.reset();
+    const float share = count / static_cast<float>(places.size());
     if (record.observer) record.observer->set_weight(Rgb(share));
     integrator.trace(world.camera.ray(place, time), place, samples_of_pixel, path, numbers, counts);
     record.add_path(path, Rgb(1), share);
+    // Each place counts as a path for what pixels show.
+    for (auto other = from + 1; other < to; ++other) record.note_first_surface(path.first);
+    return path.radiance;
   };
-  sampling::Sampler of_misses = sampler.split(0, 1, kMissBranch);
-  add(sorted.begin(), end, sampler);
-  add(end, sorted.end(), of_misses);
+  sampling::Sampler of_rest = sampler.split(0, 1, kMissBranch);
+  sample.of_met = trace_one(places.begin(), rest, sampler);
+  sample.of_rest = trace_one(rest, places.end(), of_rest);
   counts.probe += counts.eye - eye_rays;
   counts.eye = eye_rays;
   record.end_mean();

@@ -24,11 +24,11 @@ void trace_eye_rays(const World& world, const Integrator& integrator, Vec2 raste
 /// The same without lens shaders where objects end before nothing: one path through a place that
 /// meets an object, weighted with the share of such places, and one for the others.
 ///
-/// Inputs:  places: raster positions, each distributed as that of a sample.
+/// Inputs:  sample.places: each distributed as that of a sample. The other values are results.
 /// Checked: Silhouettes.AlphaAndLightAreTheExactCoverage
-void trace_at_silhouette(const World& world, const Integrator& integrator,
-                         const SilhouettePlaces& places, float samples_of_pixel, PathRecord& record,
-                         sampling::Sampler& sampler, RayCounts& counts);
+void trace_at_silhouette(const World& world, const Integrator& integrator, SilhouetteSample& sample,
+                         float samples_of_pixel, PathRecord& record, sampling::Sampler& sampler,
+                         RayCounts& counts);
 /// The same with path tracing and no optional values.
 PathResult trace_eye_rays(const World& world, Vec2 raster, sampling::Sampler& sampler,
                           RayCounts& counts);

@@ -114,7 +114,7 @@ void PixelMeans::add(const FilmSample& s) {
   }
 }
 
-void SubPixelMeans::add(const FilmSample& s) {
+void SubPixelMeans::add(const PartSample& s) {
   const std::size_t i = s.sub_pixel % kSubPixels;
   if (samples[i] == std::numeric_limits<std::uint16_t>::max()) return;
   const Rgb c = bounded(s.beauty);
@@ -195,7 +195,11 @@ void Film::add(int x, int y, const FilmSample& sample) {
   const std::size_t i = index(x, y);
   const bool negative = sample.negative && !negative_.empty();
   (negative ? negative_ : positive_)[i].add(sample);
-  if (map_) (negative ? negative_parts_ : positive_parts_)[i].add(sample);
+  if (map_) {
+    SubPixelMeans& means = (negative ? negative_parts_ : positive_parts_)[i];
+    if (sample.parts.empty()) means.add({sample.sub_pixel, sample.beauty});
+    for (const PartSample& part : sample.parts) means.add(part);
+  }
   if (planes_.empty()) return;
   static const PathRecord kEmpty(RecordRequest{.aovs = true});
   const PathRecord& record = sample.record ? *sample.record : kEmpty;

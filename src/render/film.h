@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "base/vec.h"
@@ -36,6 +37,12 @@ inline std::uint8_t sub_pixel_of(const Vec2& place) {
   return static_cast<std::uint8_t>(4 * across + up);
 }
 
+/// Light from a part of a pixel.
+struct PartSample {
+  std::uint8_t sub_pixel = 0;  ///< see sub_pixel_of()
+  Rgb beauty{0};
+};
+
 /// The values of one sample.
 struct FilmSample {
   Rgb beauty{0};
@@ -45,6 +52,7 @@ struct FilmSample {
   Rgb albedo{0};
   float irradiance = 0;                ///< of the first surface, luminance; pixel units times pi
   std::uint8_t sub_pixel = 0;          ///< see sub_pixel_of()
+  std::span<const PartSample> parts;   ///< if it looked at several parts: instead of sub_pixel
   bool negative = false;               ///< the pixel filter is negative there
   const PathRecord* record = nullptr;  ///< values of the planes; null = an empty record
 };
@@ -78,7 +86,7 @@ struct SubPixelMeans {
     return black;
   }();
   float m2 = 0;  ///< summed squared distances of brightness from the means of the parts
-  void add(const FilmSample& sample);
+  void add(const PartSample& sample);
 };
 
 /// Optional values of a film.

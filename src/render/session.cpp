@@ -95,11 +95,10 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       saves_caches_(!settings.save_without_caches),
       started_(settings.started) {
   if (settings.mattes) mattes_.emplace(film_.width(), film_.height(), filter_, *settings.mattes);
-  // Not where a sample has to have one place: lens shaders have their own rays, colours that are
-  // mapped belong to a part of the pixel, mattes count paths, and filters have negative parts.
+  // Lens shaders have their own rays, shaders may change samples, and filters have negative parts.
   constexpr std::uint32_t kFewestSamples = 4;
   looks_for_silhouettes_ = !settings.draft && budget_.max_samples >= kFewestSamples &&
-                           world.lens_rays.empty() && !film_.mapped() && !mattes_ &&
+                           world.lens_rays.empty() && world.state_shaders.empty() &&
                            !filter_.has_negative_lobes();
 }
 
@@ -109,7 +108,7 @@ void RenderSession::clear_film() {
 }
 
 FilmSample RenderSession::sample(int x, int y, std::uint32_t index, PathRecord& record,
-                                 RayCounts& counts) const {
+                                 PartSamples& parts, RayCounts& counts) const {
   const int column = window_.x0 + x, row = window_.y1 - 1 - y;
   sampling::Sampler sampler(column, row, index, seed_);
   const Vec2 centre(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f);
@@ -125,19 +124,21 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, PathRecord& 
   call(Moment::StateInit, before);
   call(Moment::SampleInit, before);
   if (observer_) observer_->begin_sample(offset.negative);
-  if (silhouettes_.contain(x, y)) {
+  SilhouetteSample silhouette;
+  const bool has_places = silhouettes_.contain(x, y);
+  if (has_places) {
     constexpr std::uint32_t kPlaceBranch = 5003;
-    SilhouettePlaces places;
     for (std::uint32_t i = 0; i < kSilhouettePlaces; ++i) {
       const Vec2 u = at_start.split(i, kSilhouettePlaces, kPlaceBranch).next_2d();
-      places[i] = centre + filter_.sample(u).pixels;
+      silhouette.places[i] = centre + filter_.sample(u).pixels;
     }
-    trace_at_silhouette(world_, *integrator_, places, paths_of_pixel_, record, sampler, counts);
+    trace_at_silhouette(world_, *integrator_, silhouette, paths_of_pixel_, record, sampler, counts);
   } else {
     trace_eye_rays(world_, *integrator_, raster, paths_of_pixel_, record, sampler, counts);
   }
   const float brightest = max_component(record.radiance);
-  if (clamp_ > 0 && brightest > clamp_) record.scale(clamp_ / brightest);
+  const float kept = clamp_ > 0 && brightest > clamp_ ? clamp_ / brightest : 1;
+  if (kept < 1) record.scale(kept);
   if (observer_) observer_->end_sample(record.radiance);
   call(Moment::SampleExit, record);
   call(Moment::StateExit, record);
@@ -151,7 +152,15 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, PathRecord& 
   s.record = &record;
   s.negative = offset.negative;
   const Vec2 reach = filter_.half_width() * 2.0f;
-  s.sub_pixel = sub_pixel_of(offset.pixels / reach + Vec2(0.5f));
+  const auto part_of = [&](const Vec2& from_centre) {
+    return sub_pixel_of(from_centre / reach + Vec2(0.5f));
+  };
+  s.sub_pixel = part_of(offset.pixels);
+  if (!has_places) return s;
+  for (std::size_t i = 0; i < kSilhouettePlaces; ++i)
+    parts[i] = {part_of(silhouette.places[i] - centre),
+                kept * (i < silhouette.met ? silhouette.of_met : silhouette.of_rest)};
+  s.parts = parts;
   return s;
 }
 
@@ -169,13 +178,14 @@ void RenderSession::with_sampler(const Draw& draw) {
     RayCounts counts;
     std::vector<Rgba> buffers;
     PathRecord record;  // of the current sample
+    PartSamples parts;
   };
   tbb::enumerable_thread_specific<PerThread> threads(request, film_.user_buffers(), observer_);
   const auto draw_one = [&](int x, int y, std::uint32_t index, FilmSample& s) {
     PerThread& mine = threads.local();
     mine.record.reset();
     std::fill(mine.buffers.begin(), mine.buffers.end(), Rgba(0));
-    s = sample(x, y, index, mine.record, mine.counts);
+    s = sample(x, y, index, mine.record, mine.parts, mine.counts);
     if (mattes_) mattes_->add(x, y, mine.record.first_surfaces, s.negative);
   };
   rays_of_threads_ = [&threads] {

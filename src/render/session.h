@@ -177,7 +177,10 @@ class RenderSession {
   }
 
  private:
-  FilmSample sample(int x, int y, std::uint32_t index, PathRecord& record, RayCounts& counts) const;
+  using PartSamples = std::array<PartSample, kSilhouettePlaces>;
+  /// Inputs:  record: empty; parts: memory for those of the sample.
+  FilmSample sample(int x, int y, std::uint32_t index, PathRecord& record, PartSamples& parts,
+                    RayCounts& counts) const;
   IntegratorPreparation preparation(const ProgressMonitor& monitor,
                                     std::function<void()> after_pass);
   /// Of the picture without a crop.

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "runtime/window.h"
@@ -13,7 +14,13 @@ namespace oriel {
 
 /// Places of a pixel that one of its samples looks at, where objects end.
 inline constexpr std::uint32_t kSilhouettePlaces = 8;
-using SilhouettePlaces = std::array<Vec2, kSilhouettePlaces>;
+
+/// A sample that looks at several places of its pixel.
+struct SilhouetteSample {
+  std::array<Vec2, kSilhouettePlaces> places;  ///< raster; those that meet an object come first
+  std::size_t met = 0;                         ///< number of places that meet an object
+  Rgb of_met{0}, of_rest{0};                   ///< light of a path through one of them
+};
 
 /// The pixels where objects end before a black background. What is hardly covered there has large
 /// relative errors, while more places per sample cost little beside the path.

@@ -116,5 +116,49 @@ TEST(Silhouettes, TheSumOfThePixelsIsTheAreaWithEachFilter) {
   }
 }
 
+/// Error of the mapped brightness, relative to that of the whole triangle, as coverage.
+double mapped_error(SceneText text, std::uint32_t samples) {
+  text.camera(
+      "lens \"mia_exposure_simple\" ( \"gain\" 20, \"compression\" 1000, \"gamma\" 1 ) "
+      "focal 1 aperture 1 aspect 1 resolution 32 32");
+  SessionSettings settings;
+  settings.budget.samples = samples;
+  const RenderedScene scene(text, settings);
+  const Film& film = scene.session().film();
+  const float white = film.shown(14, 18).y;
+  double square = 0;
+  int pixels = 0;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const float exact = coverage(x, y);
+      if (exact < .05f || exact > .95f) continue;
+      const double d = film.shown(x, y).y / white - exact;
+      square += d * d, ++pixels;
+    }
+  return std::sqrt(square / pixels);
+}
+
+/// Bright light is mapped part by part: a pixel that it half covers is half as bright, not white.
+/// Parts that edges cross are brighter than that, as with many samples of one place.
+TEST(Silhouettes, MappedEdgesAreNotWider) {
+  const double one_place = mapped_error(triangle().uniform_sky(1e-6f), 64 * kSilhouettePlaces);
+  EXPECT_LT(one_place, .2) << "of whole pixels: .4";
+  EXPECT_NEAR(mapped_error(triangle(), 64), one_place, .05 * one_place);
+}
+
+TEST(Silhouettes, MattesHaveTheCoverageOfAlpha) {
+  SessionSettings settings;
+  settings.budget.samples = 16;
+  settings.mattes = MatteNames{{"triangle"}, {"triangle"}, {0}};
+  const RenderedScene scene(triangle(), settings);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      float covered = 0;
+      for (const Mattes::Share& share : scene.session().mattes()->shares(x, y))
+        if (share.seen.instance >= 0) covered += share.coverage;
+      EXPECT_NEAR(covered, scene.at(x, y).a, 1e-5f) << x << " " << y;
+    }
+}
+
 }  // namespace silhouettes_test
 }  // namespace oriel::testing
