@@ -101,7 +101,7 @@ LearnedLights learn_lights(const World& world, const IntegratorPreparation& p,
 
 DirectionGuide learn_directions(const World& world, const IntegratorPreparation& p,
                                 const Bounces& records, int rays) {
-  return {world.accel->bounds(), guide_points(world, records, rays, p.seed, p.counts, p.monitor)};
+  return DirectionGuide(guide_points(world, records, rays, p.seed, p.counts, p.monitor));
 }
 
 }  // namespace

@@ -99,11 +99,11 @@ LocalGuide DirectionGuide::at(const Vec3& position, const Vec3& normal) const {
   return {densities_[cell], guide_frame(normal), light_[cell]};
 }
 
-DirectionGuide::DirectionGuide(const geom::Box3& bounds, std::span<const GuidePoint> points) {
+DirectionGuide::DirectionGuide(std::span<const GuidePoint> points) {
   std::vector<SurfaceTree::Point> places;
   places.reserve(points.size());
   for (const GuidePoint& p : points) places.push_back({p.position, p.normal});
-  tree_ = SurfaceTree(bounds, places);
+  tree_ = SurfaceTree(places);
   // The mean of the points and of the light above.
   const auto mean_of = [&](std::span<const std::uint32_t> indices, const GuidePoint& above) {
     GuidePoint mean;

@@ -101,8 +101,7 @@ Frame guide_frame(const Vec3& normal);
 class DirectionGuide {
  public:
   DirectionGuide() = default;
-  /// Inputs:  bounds: of the scene.
-  DirectionGuide(const geom::Box3& bounds, std::span<const GuidePoint> points);
+  explicit DirectionGuide(std::span<const GuidePoint> points);
 
   bool empty() const { return tree_.empty(); }
   /// Inputs:  normal: unit. Not for an empty guide.

@@ -102,7 +102,7 @@ TEST(DirectionGuide, APlaceHasTheLightOfItsPoints) {
     points.push_back(point_of(Vec3(1, y, 0), Vec3(0, 0, 1), 70));
     points.push_back(point_of(Vec3(-1, y, 1), Vec3(0, 0, -1), 200));
   }
-  const DirectionGuide guide(geom::Box3(Vec3(-2, -1, 0), Vec3(2, 2, 1)), points);
+  const DirectionGuide guide(points);
   const auto brightest = [&](const Vec3& position, const Vec3& normal) {
     const LocalGuide local = guide.at(position, normal);
     const Frame frame = guide_frame(normal);
@@ -125,7 +125,7 @@ TEST(DirectionGuide, APlaceHasTheLightOfItsPoints) {
 
 TEST(DirectionGuide, NeighbouringDirectionsShareTheirLight) {
   const std::vector<GuidePoint> points(1, point_of(Vec3(0), Vec3(0, 0, 1), 5 * kGuideSide + 7));
-  const DirectionGuide guide(geom::Box3(Vec3(-1), Vec3(1)), points);
+  const DirectionGuide guide(points);
   const LocalGuide local = guide.at(Vec3(0), Vec3(0, 0, 1));
   const auto guided = [&](std::size_t row, std::size_t column) {
     const Vec3 w =
@@ -142,7 +142,7 @@ TEST(DirectionGuide, NeighbouringDirectionsShareTheirLight) {
 }
 
 TEST(DirectionGuide, WithoutPointsIsEmpty) {
-  EXPECT_TRUE(DirectionGuide(geom::Box3(Vec3(0), Vec3(1)), {}).empty());
+  EXPECT_TRUE(DirectionGuide(std::span<const GuidePoint>()).empty());
 }
 
 TEST(DirectionGuide, FramesTurnSmoothly) {

@@ -76,11 +76,11 @@ class LightStatistics {
 
 }  // namespace
 
-LearnedLights::LearnedLights(const geom::Box3& bounds, std::span<const SurfaceTree::Point> points,
+LearnedLights::LearnedLights(std::span<const SurfaceTree::Point> points,
                              std::span<const float> squares, std::span<const float> by_tree) {
   if (points.empty() || squares.empty()) return;
   count_ = squares.size() / points.size();
-  tree_ = SurfaceTree(bounds, points);
+  tree_ = SurfaceTree(points);
   const LightStatistics statistics(count_, squares, by_tree);
   const auto mean = [&](std::span<const std::uint32_t> indices, const LightsOfNode& above) {
     return statistics.mean(indices, above);

@@ -25,11 +25,11 @@ namespace oriel {
 class LearnedLights {
  public:
   LearnedLights() = default;
-  /// Inputs:  bounds: of the scene; squares: mean square of the samples of each light at each
-  ///          point, point by point, in the order of LightSampler::chosen_lights(); by_tree:
-  ///          probability of each light by the light tree, likewise.
-  LearnedLights(const geom::Box3& bounds, std::span<const SurfaceTree::Point> points,
-                std::span<const float> squares, std::span<const float> by_tree);
+  /// Inputs:  squares: mean square of the samples of each light at each point, point by point, in
+  ///          the order of LightSampler::chosen_lights(); by_tree: probability of each light by the
+  ///          light tree, likewise.
+  LearnedLights(std::span<const SurfaceTree::Point> points, std::span<const float> squares,
+                std::span<const float> by_tree);
 
   bool empty() const { return count_ == 0; }
   std::size_t bytes() const {

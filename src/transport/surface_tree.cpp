@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "geom/mesh.h"
+
 namespace oriel {
 namespace {
 
@@ -22,7 +24,7 @@ std::size_t main_side(const Vec3& n) {
   return 2 * static_cast<std::size_t>(axis) + (n[axis] < 0 ? 1 : 0);
 }
 
-SurfaceTree::SurfaceTree(const geom::Box3& bounds, std::span<const Point> points) {
+SurfaceTree::SurfaceTree(std::span<const Point> points) {
   if (points.empty()) return;
   order_.resize(points.size());
   std::iota(order_.begin(), order_.end(), 0u);
@@ -34,7 +36,7 @@ SurfaceTree::SurfaceTree(const geom::Box3& bounds, std::span<const Point> points
         begin, order_.end(), [&](std::uint32_t i) { return main_side(points[i].normal) == side; });
     members_[side].begin = static_cast<std::uint32_t>(begin - order_.begin());
     members_[side].end = static_cast<std::uint32_t>(end - order_.begin());
-    divide(side, bounds, points, 0);
+    divide(side, points, 0);
     begin = end;
   }
 }
@@ -59,17 +61,18 @@ bool SurfaceTree::is_valid() const {
   return true;
 }
 
-void SurfaceTree::divide(std::uint32_t index, const geom::Box3& box, std::span<const Point> points,
-                         int depth) {
+void SurfaceTree::divide(std::uint32_t index, std::span<const Point> points, int depth) {
   const Members node = members_[index];
   if (node.end - node.begin <= kPointsOfCell || depth == kDeepestCell) {
     nodes_[index].child = static_cast<std::uint32_t>(cells_++) & kMostNodes;
     return;
   }
-  const Vec3 size = box.max - box.min;
+  const auto at = [&](std::uint32_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+  geom::Box3 box;
+  for (auto i = at(node.begin); i != at(node.end); ++i) box.extendBy(points[*i].position);
+  const Vec3 size = box.size();
   const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
   const float split = 0.5f * (box.min[axis] + box.max[axis]);
-  const auto at = [&](std::uint32_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
   const auto found = std::stable_partition(at(node.begin), at(node.end), [&](std::uint32_t i) {
     return points[i].position[axis] < split;
   });
@@ -81,10 +84,8 @@ void SurfaceTree::divide(std::uint32_t index, const geom::Box3& box, std::span<c
   nodes_.resize(nodes_.size() + 2);
   members_.push_back({.above = index, .begin = node.begin, .end = middle});
   members_.push_back({.above = index, .begin = middle, .end = node.end});
-  geom::Box3 low = box, high = box;
-  low.max[axis] = high.min[axis] = split;
-  divide(child, low, points, depth + 1);
-  divide(child + 1, high, points, depth + 1);
+  divide(child, points, depth + 1);
+  divide(child + 1, points, depth + 1);
 }
 
 }  // namespace oriel

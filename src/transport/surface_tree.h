@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geom/mesh.h"
+#include "base/vec.h"
 
 namespace oriel {
 
@@ -16,7 +16,8 @@ std::size_t main_side(const Vec3& normal);
 /// A cell for each place of a surface.
 ///
 /// Model:   for each of the six main directions of normals a binary tree over positions, halved
-///          along the longest side until a leaf has few points. A cell is a leaf.
+///          along the longest side of what the points fill until a leaf has few points. A cell is a
+///          leaf.
 /// Source:  T. Mueller, M. Gross, J. Novak, "Practical Path Guiding for Efficient Light-Transport
 ///          Simulation", 2017.
 /// Checked: DirectionGuide.*
@@ -27,8 +28,7 @@ class SurfaceTree {
   };
 
   SurfaceTree() = default;
-  /// Inputs:  bounds: of the scene.
-  SurfaceTree(const geom::Box3& bounds, std::span<const Point> points);
+  explicit SurfaceTree(std::span<const Point> points);
 
   bool empty() const { return nodes_.empty(); }
   std::size_t cells() const { return cells_; }
@@ -87,7 +87,7 @@ class SurfaceTree {
     std::uint32_t above = 0;           ///< node; not of roots
     std::uint32_t begin = 0, end = 0;  ///< its points in order_
   };
-  void divide(std::uint32_t node, const geom::Box3& box, std::span<const Point> points, int depth);
+  void divide(std::uint32_t node, std::span<const Point> points, int depth);
 
   std::vector<Node> nodes_;       ///< the first six are roots; those above come first
   std::vector<Members> members_;  ///< of the nodes

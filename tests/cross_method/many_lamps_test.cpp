@@ -104,7 +104,7 @@ TEST(ManyLamps, ChancesOfACellFollowItsLight) {
       {Vec3(0), kUp}, {Vec3(0), kUp}, {Vec3(0), -kUp}, {Vec3(0), -kUp}};
   const float squares[] = {16, 0, 16, 0, 0, 16, 0, 16};
   const std::vector<float> by_tree(8, .5f);
-  const LearnedLights learned({Vec3(-1), Vec3(1)}, points, squares, by_tree);
+  const LearnedLights learned(points, squares, by_tree);
   // The node above counts as half a point: here all points, whose own node above is black.
   const double all = 32 / 4.5, own = (32 + .5 * all) / 2.5, other = .5 * all / 2.5;
   const double share = std::sqrt(own) / (std::sqrt(own) + std::sqrt(other));
@@ -137,7 +137,7 @@ TEST(ManyLamps, LightsThatReachNeighboursDifferentlyAreNotLearned) {
     blind[4 * i] = .1f;
   }
   const auto chances = [&](std::span<const float> squares, std::span<const float> tree) {
-    return LearnedLights({Vec3(-1), Vec3(1)}, points, squares, tree).at(Vec3(0), kUp).unlearned;
+    return LearnedLights(points, squares, tree).at(Vec3(0), kUp).unlearned;
   };
   EXPECT_EQ(chances(own, by_tree), 1);
   EXPECT_LT(chances(same, blind), .5f);

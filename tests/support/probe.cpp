@@ -150,8 +150,8 @@ Probe& Probe::guided(int rays) {
   GatherSettings settings = gather_settings(world_->options, world_->accel->bounds());
   settings.path.diffuse_bounces = PathSettings::kAllBounces;
   const Bounces coarse = coarse_records(settings);
-  guide_ = std::make_unique<DirectionGuide>(
-      world_->accel->bounds(), guide_points(*world_, coarse, rays, 0, counts, monitor));
+  guide_ =
+      std::make_unique<DirectionGuide>(guide_points(*world_, coarse, rays, 0, counts, monitor));
   settings_.guide = guide_->empty() ? nullptr : guide_.get();
   EXPECT_TRUE(settings_.guide) << "no points for a guide";
   return *this;

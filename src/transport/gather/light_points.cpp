@@ -56,7 +56,7 @@ LearnedLights measure_lights(const World& world, std::span<const GatherPoint> po
       }
   });
   for (const RayCounts& of_point : traced) counts += of_point;
-  return {world.accel->bounds(), places, squares, by_tree};
+  return {places, squares, by_tree};
 }
 
 }  // namespace oriel
