@@ -50,7 +50,8 @@ class CachedIntegrator final : public Integrator {
   bool caches_only() const override;
   std::size_t gather_points() const override { return cache_.records().size(); }
   std::size_t learned_bytes() const override {
-    return learned_.bytes() + rarely_found_.map.size() * sizeof(Photon);
+    const std::size_t caustics = plan_.sharp_caustics ? photons_.caustic.bytes() : 0;
+    return learned_.bytes() + rarely_found_.map.bytes() + caustics + chains_.bytes();
   }
   bool has_unknown_light() const override { return read_files_ || reads_grid(); }
 

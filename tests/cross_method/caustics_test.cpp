@@ -131,6 +131,7 @@ TEST(CausticPictures, PanesAndThinWallsKeepTransparentShadows) {
 /// Largest relative deviation of a pixel.
 double deviation(SceneText scene, double exact) {
   const RenderedScene picture(scene, samples(4));
+  EXPECT_GT(picture.session().learned_bytes(), 1000u) << "the memory of chains is reported";
   double most = 0;
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x) most = std::max(most, std::abs(picture.at(x, y).r / exact - 1));

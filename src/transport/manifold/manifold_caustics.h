@@ -67,9 +67,7 @@ class ManifoldCaustics {
     others_.visit_state(checkpoint);
   }
   bool is_valid(const World& world) const;
-  std::size_t bytes() const {
-    return starts_.bytes() + (missed_.size() + others_.size()) * sizeof(Photon);
-  }
+  std::size_t bytes() const { return starts_.bytes() + missed_.bytes() + others_.bytes(); }
 
  private:
   ChainStarts starts_;

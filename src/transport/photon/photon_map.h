@@ -77,6 +77,7 @@ class PhotonMap {
 
   bool empty() const { return photons_.empty(); }
   std::size_t size() const { return photons_.size(); }
+  std::size_t bytes() const { return photons_.size() * sizeof(Photon); }
   const std::vector<Photon>& photons() const { return photons_; }
 
   /// Writes the map to a CheckpointWriter, or reads it from a CheckpointReader.
