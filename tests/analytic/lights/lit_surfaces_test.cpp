@@ -138,13 +138,16 @@ TEST(LitSurfaces, TransparentSurfacesHaveTheSameLight) {
                       "\"diffuse\" .8 .8 .8 1, \"reflectivity\" 0, "
                       "\"cutout_opacity\" .4");
   expect_same_light("cut-outs", holes.walls().pane("holes").sun().text);
-  Room table;
-  table.text.material("glass",
-                      "\"diffuse_weight\" 0, \"reflectivity\" 1, \"transparency\" 1, "
-                      "\"thin_walled\" on");
-  table.walls().sun().text.polygon(
-      "glass", {Vec3(-1, -1, .7f), Vec3(1, -1, .7f), Vec3(1, 1, .7f), Vec3(-1, 1, .7f)});
-  expect_same_light("table of glass on the patch", table.text);
+  // A table of glass over a corner of the patch, and over half of it.
+  for (const float end : {1.0f, 1.35f}) {
+    Room table;
+    table.text.material("glass",
+                        "\"diffuse_weight\" 0, \"reflectivity\" 1, \"transparency\" 1, "
+                        "\"thin_walled\" on");
+    table.walls().sun().text.polygon(
+        "glass", {Vec3(-1, -1, .7f), Vec3(end, -1, .7f), Vec3(end, 1, .7f), Vec3(-1, 1, .7f)});
+    expect_same_light(fmt::format("table of glass up to {}", end), table.text, 1 << 16);
+  }
 }
 
 TEST(LitSurfaces, FlagsOfLightsAndObjectsHaveTheSameEffect) {
