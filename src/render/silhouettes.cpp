@@ -8,6 +8,28 @@
 namespace oriel {
 namespace {
 
+bool sees_black(const World& world, Vec2 raster) {
+  if (world.environment.empty()) return true;
+  const Camera::Ray eye = world.camera.ray(raster);
+  return is_black(rgb(
+      environment_radiance(world.environment, world,
+                           {.origin = eye.origin, .direction = eye.direction, .raster = raster})));
+}
+
+/// Looks in a few directions: most environments are black nowhere, and need no further rays. Of the
+/// whole picture, so that its parts agree.
+bool may_see_black(const World& world) {
+  constexpr int kSide = 16;
+  const Vec2 cell(static_cast<float>(world.camera.width) / kSide,
+                  static_cast<float>(world.camera.height) / kSide);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      if (sees_black(world,
+                     cell * Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f)))
+        return true;
+  return false;
+}
+
 /// What rays through the centres of pixels meet: those of the window and of a margin of one pixel.
 class Centres {
  public:
@@ -17,7 +39,7 @@ class Centres {
     met_.resize(width_ * height);
     parallel_for(height, [&](std::size_t y) {
       for (std::size_t x = 0; x < width_; ++x)
-        met_[y * width_ + x] = meets_object(world_, ray(x, y)) ? 1 : 0;
+        met_[y * width_ + x] = meets_object(world_, world_.camera.ray(raster(x, y))) ? 1 : 0;
     });
   }
 
@@ -29,21 +51,13 @@ class Centres {
     if (objects == 0 || objects == 9) return false;
     for (std::size_t j = y; j < y + 3; ++j)
       for (std::size_t i = x; i < x + 3; ++i)
-        if (!met_[j * width_ + i] && sees_black(i, j)) return true;
+        if (!met_[j * width_ + i] && sees_black(world_, raster(i, j))) return true;
     return false;
   }
 
  private:
   Vec2 raster(std::size_t x, std::size_t y) const {
     return window_.pixel_centre(static_cast<int>(x) - 1, static_cast<int>(y) - 1);
-  }
-  Camera::Ray ray(std::size_t x, std::size_t y) const { return world_.camera.ray(raster(x, y)); }
-  bool sees_black(std::size_t x, std::size_t y) const {
-    if (world_.environment.empty()) return true;
-    const Camera::Ray eye = ray(x, y);
-    return is_black(rgb(environment_radiance(
-        world_.environment, world_,
-        {.origin = eye.origin, .direction = eye.direction, .raster = raster(x, y)})));
   }
 
   const World& world_;
@@ -56,6 +70,7 @@ class Centres {
 
 Silhouettes::Silhouettes(const World& world, const Window& window)
     : width_(static_cast<std::size_t>(window.width())) {
+  if (!may_see_black(world)) return;
   const Centres centres(world, window);
   const auto height = static_cast<std::size_t>(window.height());
   pixels_.resize(width_ * height);

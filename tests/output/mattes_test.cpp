@@ -99,11 +99,16 @@ TEST(Mattes, AMatteIsTheAlphaOfARenderOfThatObjectAlone) {
   std::string text = two_squares();
   text.replace(text.find("\"left\" \"right\" \"again\" end"), 22, "\"right\"");
   const Rendered alone(text);
+  // The edge that both squares share is a silhouette of the one alone, with more places per sample.
+  float matte = 0, alpha = 0;
   for (int y = 0; y < 16; ++y)
-    for (int x = 0; x < 16; ++x)
-      EXPECT_NEAR(both.coverage(layers, "CryptoObject", "right", x, y),
-                  alone.session->film().pixel(x, y).beauty.a, 1e-5f)
-          << x << "," << y;
+    for (int x = 0; x < 16; ++x) {
+      const float covered = both.coverage(layers, "CryptoObject", "right", x, y);
+      const float visible = alone.session->film().pixel(x, y).beauty.a;
+      EXPECT_NEAR(covered, visible, .04f) << x << "," << y;
+      matte += covered, alpha += visible;
+    }
+  EXPECT_NEAR(matte / alpha, 1, .003f);
 }
 
 TEST(Mattes, AssetsGatherTheInstancesOfAnObject) {
