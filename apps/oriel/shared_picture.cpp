@@ -16,6 +16,7 @@
 #include "base/parallel.h"
 #include "base/temporary_folder.h"
 #include "checkpoint_labels.h"
+#include "checkpoints.h"
 #include "command.h"
 #include "interrupt.h"
 #include "render_frames.h"

@@ -6,8 +6,8 @@
 #include <mutex>
 #include <vector>
 
-#include "checkpoints.h"
 #include "ranks.h"
+#include "render/session.h"
 
 namespace oriel::app {
 
