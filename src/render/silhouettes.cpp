@@ -34,8 +34,8 @@ bool may_see_black(const World& world) {
 class Centres {
  public:
   Centres(const World& world, const Window& window)
-      : world_(world), window_(window), width_(static_cast<std::size_t>(window.width() + 2)) {
-    const auto height = static_cast<std::size_t>(window.height() + 2);
+      : world_(world), window_(window), width_(static_cast<std::size_t>(window.width()) + 2) {
+    const auto height = static_cast<std::size_t>(window.height()) + 2;
     met_.resize(width_ * height);
     parallel_for(height, [&](std::size_t y) {
       for (std::size_t x = 0; x < width_; ++x)

@@ -39,6 +39,9 @@ std::size_t along_side(float x) {
 /// by the sky falls by 9 and 12 %, in a room lit through a gap by 18 %.
 GuideSquare smooth(const GuideSquare& light) {
   constexpr int kSide = static_cast<int>(kGuideSide);
+  const auto cell = [](int x, int y) {
+    return static_cast<std::size_t>(y) * kGuideSide + static_cast<std::size_t>(x);
+  };
   GuideSquare out;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
@@ -46,10 +49,10 @@ GuideSquare smooth(const GuideSquare& light) {
       for (int v = std::max(y - 1, 0); v <= std::min(y + 1, kSide - 1); ++v)
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, kSide - 1); ++u) {
           const auto weight = static_cast<float>((2 - std::abs(u - x)) * (2 - std::abs(v - y)));
-          sum += weight * light[static_cast<std::size_t>(v * kSide + u)];
+          sum += weight * light[cell(u, v)];
           weights += weight;
         }
-      out[static_cast<std::size_t>(y * kSide + x)] = sum / weights;
+      out[cell(x, y)] = sum / weights;
     }
   return out;
 }

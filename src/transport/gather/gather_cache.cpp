@@ -171,11 +171,11 @@ void GatherCache::nearest(std::uint32_t index, const GatherQuery& q, Nearest& fo
     errors2[i] /= sqr(found.scale.clamped(node.reach[i]));
   std::array<std::uint8_t, 8> order;
   std::size_t count = 0;
-  for (std::uint8_t i = 0; i < errors2.size(); ++i) {
+  for (std::size_t i = 0; i < errors2.size(); ++i) {
     if ((node.normals[i] & found.normals) == 0 || errors2[i] > sqr(found.bound)) continue;
     std::size_t at = count++;
     for (; at > 0 && errors2[order[at - 1]] > errors2[i]; --at) order[at] = order[at - 1];
-    order[at] = i;
+    order[at] = static_cast<std::uint8_t>(i);
   }
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = order[k];
