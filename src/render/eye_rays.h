@@ -24,7 +24,8 @@ void trace_eye_rays(const World& world, const Integrator& integrator, Vec2 raste
 /// The same without lens shaders where objects end before nothing: one path through a place that
 /// meets an object, weighted with the share of such places, and one for the others.
 ///
-/// Inputs:  sample.places: each distributed as that of a sample. The other values are results.
+/// Inputs:  sample.places: raster positions, each drawn as the place of an ordinary sample is.
+/// Returns: the record, and the other values of `sample`.
 /// Checked: Silhouettes.AlphaAndLightAreTheExactCoverage
 void trace_at_silhouette(const World& world, const Integrator& integrator, SilhouetteSample& sample,
                          float samples_of_pixel, PathRecord& record, sampling::Sampler& sampler,

@@ -16,8 +16,9 @@ bool sees_black(const World& world, Vec2 raster) {
                            {.origin = eye.origin, .direction = eye.direction, .raster = raster})));
 }
 
-/// Looks in a few directions: most environments are black nowhere, and need no further rays. Of the
-/// whole picture, so that its parts agree.
+/// Whether the environment is black in one of a few camera directions. Most environments are not,
+/// and then no further rays are needed. The directions cover the whole picture, so that the result
+/// is the same for each part of it.
 bool may_see_black(const World& world) {
   constexpr int kSide = 16;
   const Vec2 cell(static_cast<float>(world.camera.width) / kSide,

@@ -25,9 +25,10 @@ struct SilhouetteSample {
 /// The pixels where objects end before a black background. What is hardly covered there has large
 /// relative errors, while more places per sample cost little beside the path.
 ///
-/// Model:   a pixel is one of them if, of the rays through its centre and those of its neighbours,
-///          some meet an object and some a black environment or none. Objects thinner than a pixel
-///          may be missed; their pixels have more noise. Windows and parts of a picture agree.
+/// Model:   one ray goes through the centre of the pixel and of each of its eight neighbours. The
+///          pixel is one of them if some of these rays meet an object, and some meet none and see
+///          black. Where all rays miss a thin object, its pixels have the noise of other pixels.
+///          The result does not depend on which window or part of the picture is rendered.
 /// Checked: Silhouettes.* in tests/analytic/camera
 class Silhouettes {
  public:

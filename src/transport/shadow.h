@@ -66,8 +66,8 @@ Transmittance straight_transmission(const Closure& closure, const scene::RenderO
 Rgb straight_through(const Material& material, ShadingPoint& point,
                      const scene::RenderOptions& options, Closure& by);
 
-/// Whether the surface bends light of photons, and of paths backwards from a diffuse surface.
-/// Otherwise these and shadow rays pass its transparency straight.
+/// Whether the surface refracts photons and rays behind a diffuse bounce. If not, they pass through
+/// its transparency in a straight line, as shadow rays do.
 inline bool bends_light(const Closure& closure, const scene::RenderOptions& options) {
   return closure.refractive_caustics && options.caustic.on;
 }

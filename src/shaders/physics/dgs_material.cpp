@@ -175,8 +175,8 @@ void dielectric(const Call& call, Closure& closure) {
   closure.thin_walled = false;
   const Vec3 normal = facing_viewer(point.normal, point);
   const float eta = ratio(point, p.ior, p.ior_out);
-  // A ray that was not refracted on the way in has the same angle at both faces, and its
-  // reflectance at the back is that of the front.
+  // A ray that entered without refraction meets the back face at the angle that it had at the
+  // front, so the back reflects as much as the front.
   const float reflected = bsdf::fresnel_dielectric(dot(normal, point.wo()),
                                                    point.unbent && point.back_side ? 1 / eta : eta);
   add(LobeKind::Mirror, LobeType::Reflection, Rgb(reflected),

@@ -45,7 +45,7 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, const F& inside) {
   return kept;
 }
 
-/// Exact coverage of a pixel of the film by the triangle.
+/// The share of a pixel that the triangle covers, exact. Film rows count from the top.
 float coverage(int x, int y) {
   const auto left = static_cast<float>(x), bottom = static_cast<float>(kSide - 1 - y);
   std::vector<Vec2> p = clipped(kTriangle, [&](const Vec2& v) { return v.x - left; });
@@ -116,7 +116,8 @@ TEST(Silhouettes, TheSumOfThePixelsIsTheAreaWithEachFilter) {
   }
 }
 
-/// Error of the mapped brightness, relative to that of the whole triangle, as coverage.
+/// Root mean square difference between the coverage of pixels and their mapped brightness, which is
+/// 1 within the triangle.
 double mapped_error(SceneText text, std::uint32_t samples) {
   text.camera(
       "lens \"mia_exposure_simple\" ( \"gain\" 20, \"compression\" 1000, \"gamma\" 1 ) "
