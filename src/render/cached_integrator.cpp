@@ -292,7 +292,7 @@ void CachedIntegrator::use_chains() {
 void CachedIntegrator::trace_rarely_found(const IntegratorPreparation& p) {
   if (!learns() || plan_.bounces || !may_learn(world_, p.paths) || p.monitor.cancelled()) return;
   if (path_settings().further_bounces != Rgb(1) || !all_cast_and_receive(world_)) return;
-  SharpCaustics lights(world_, CausticLights::Found);
+  SharpCaustics lights(world_, CausticLights::RarelyFound);
   if (lights.empty()) return;
   const auto pilots = [&] {
     return PilotPaths(world_, p.picture, path_settings(), p.seed, p.counts);
@@ -434,7 +434,7 @@ void CachedIntegrator::restore_rarely_found(In& in) {
   if (map.empty()) return;
   const PhotonLookup lookup = lookup_of_found_lights(world_);
   map.estimate_at_places(lookup);
-  rarely_found_ = {SharpCaustics(world_, CausticLights::Found), std::move(map), lookup};
+  rarely_found_ = {SharpCaustics(world_, CausticLights::RarelyFound), std::move(map), lookup};
   maps_.rarely_found = &rarely_found_;
 }
 

@@ -59,14 +59,10 @@ struct IndirectCaches {
   /// Caustics of lights that rays find rarely, read everywhere; null = rays bring them.
   const SharpPhotons* rarely_found = nullptr;
 
-  /// Whether a mirror or glass may cast caustics of some maps only.
-  bool casts_sharp(int instance) const {
-    return (sharp && sharp->casts(instance)) || (rarely_found && rarely_found->of.casts(instance));
-  }
-  /// Whether such caustics of a light are in a map.
-  bool has_sharp(int light) const {
-    return (sharp && sharp->has_light(light)) ||
-           (rarely_found && rarely_found->of.has_light(light));
+  /// Whether a map that contains some caustics only has that of the light and the instance.
+  bool have_sharp(int light, int instance, CausticWay way) const {
+    return (sharp && sharp->bring(light, instance, way)) ||
+           (rarely_found && rarely_found->of.bring(light, instance, way));
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include "lights/portal_table.h"
 #include "runtime/environment_ray.h"
+#include "transport/indirect_caches.h"
 #include "transport/shadow.h"
 
 namespace oriel {
@@ -81,6 +82,8 @@ void DirectSum::add_light(const LightPick& pick, const Vec2& u) {
       looked_through ? hidden_portal_in_reflection(closure_)
                      : light_in_reflection(closure_, light.visible, s->force_specular);
   if (looked_through) r.refraction.value = Rgb(0);
+  if (request_.mapped && request_.mapped->have_sharp(index, point_.instance, kByGloss))
+    r.reflection.value = Rgb(0);
   const Rgb highlight = r.highlight * closure_.highlight_scale;
   const Rgb shown =
       r.diffuse.value + r.refraction.value + r.reflection.value * in.sum() + highlight;

@@ -16,6 +16,8 @@
 
 namespace oriel {
 
+struct IndirectCaches;
+
 /// What light samples at a surface know of the vertex that found it by a ray of a lobe, if that
 /// vertex sampled the surfaces that directional lights illuminate.
 struct BesideLitSurfaces {
@@ -41,6 +43,8 @@ struct DirectRequest {
   PathObserver* observer = nullptr;  ///< optional observer of samples; may be null
   PathObserver::Place place = PathObserver::kEye;
   BesideLitSurfaces beside = {};
+  /// Maps whose caustics reflecting lobes do not bring; may be null.
+  const IndirectCaches* mapped = nullptr;
   /// Only light that opaque objects would block, at a point where none does.
   bool unblocked_only = false;
 };

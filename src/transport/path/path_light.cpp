@@ -93,7 +93,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
     if (portal && !portal->visible && from_.group == LobeGroup::Refraction) return;
     bool alone = portal && portal->photons_only && portal->visible;  // never sampled
     const float expected = world_.light_sampler->expected_samples(from_.lights, index);
-    if (expected <= 0 && !alone) return;
+    if ((expected <= 0 && !alone) || is_mapped_caustic(index)) return;
     std::optional<ShadingPoint> unsampled;
     if (!from_.point) unsampled = point_in_air(world_, way_.ray, from_.passed);
     ShadingPoint& from = from_.point ? *from_.point : *unsampled;

@@ -201,7 +201,8 @@ void Path::take_direct(const Closure& closure, const LobeChoice& choice, Shading
                               .estimator = settings_.estimator,
                               .observer = depth_.after_diffuse ? nullptr : record_->observer,
                               .place = place_,
-                              .beside = beside_lit_surfaces(point)};
+                              .beside = beside_lit_surfaces(point),
+                              .mapped = depth_.after_diffuse ? settings_.maps : nullptr};
   if (record_->has_layers()) return take_direct_of_layers(closure, choice, point, request);
   add_direct(closure,
              direct_light(world_, point, closure, choice, from_.lights, request, sampler_, counts_),
@@ -297,8 +298,10 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   // At grazing angles a lobe is narrower in one direction; a round lobe of the same area is used.
   way_.roughness = alpha * std::sqrt(std::abs(dot(point.wo(), lobe.frame.n)));
   from_.weighed = !sample.delta;
-  from_.sharp_caster = sample.delta && settings_.maps &&
-                       settings_.maps->casts_sharp(static_cast<int>(point.instance));
+  from_.caster_way = sample.delta ? kByMirror : kByGloss;
+  const bool casts = settings_.maps && depth_.after_diffuse &&
+                     (sample.delta || group_of(lobe.kind) == LobeGroup::Reflection);
+  from_.caster = casts ? point.instance : -1;
   from_.pdf = sample.pdf;
   from_.group = group_of(lobe.kind);
   from_.passed = way_.volume_passed = 0;

@@ -95,7 +95,9 @@ class Path {
       return group == LobeGroup::Diffuse ? hit.affects_diffuse : hit.affects_specular;
     }
     bool shadows = true;
-    bool sharp_caster = false;  ///< a mirror or clear glass whose caustics are mapped
+    /// The instance of a lobe whose caustics may be mapped, and how it scatters; -1 = none.
+    int caster = -1;
+    CausticWay caster_way = kByMirror;
     // Surfaces were sampled as lights for diffuse lobes, and for glossy reflections.
     bool surfaces_on_diffuse = false, surfaces_in_reflections = false;
     /// Whether surfaces were sampled for the lobes of the ray.
@@ -302,7 +304,7 @@ class Path {
   }
   /// The same for light of one light along the current ray, if the map contains some caustics only.
   bool is_mapped_caustic(int light) const {
-    return from_.sharp_caster && depth_.after_diffuse && settings_.maps->has_sharp(light);
+    return from_.caster >= 0 && settings_.maps->have_sharp(light, from_.caster, from_.caster_way);
   }
   /// Factor of the options on indirect light that rays bring to this vertex.
   Rgb indirect_factor() const {

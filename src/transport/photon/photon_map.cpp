@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "base/math.h"
 #include "base/parallel.h"
@@ -17,8 +18,6 @@ namespace {
 
 using Filter = scene::PhotonOptions::Filter;
 
-/// Ranges shorter than this are searched one by one, without an axis.
-constexpr std::size_t kPhotonsOfLeaf = 4;
 /// Unit vectors may be this much off after rounding.
 constexpr float kUnitError = 1e-2f;
 
@@ -107,16 +106,26 @@ class Nearest {
 /// some percent too dark.
 bool is_place(std::size_t photon) { return (sampling::mix_bits(photon + 1) & 1) != 0; }
 
-/// The nearest places, or the nearest other photons.
-class NearestHalf : public Nearest {
+/// The nearest photons that are no places.
+class NearestOthers : public Nearest {
  public:
-  NearestHalf(bool places, int most, float radius) : Nearest(most, radius), places_(places) {}
+  using Nearest::Nearest;
   void add(float distance2, std::uint32_t index) {
-    if (is_place(index) == places_) Nearest::add(distance2, index);
+    if (!is_place(index)) Nearest::add(distance2, index);
   }
+};
+
+/// The nearest one.
+class NearestPlace {
+ public:
+  explicit NearestPlace(float radius) : reach2_(sqr(radius)) {}
+  float reach2() const { return reach2_; }
+  void add(float distance2, std::uint32_t index) { reach2_ = distance2, index_ = index; }
+  std::optional<std::uint32_t> found() const { return index_; }
 
  private:
-  bool places_;
+  float reach2_;
+  std::optional<std::uint32_t> index_;
 };
 
 }  // namespace
@@ -136,123 +145,67 @@ PhotonLookup photon_lookup(const scene::PhotonOptions& options, const geom::Box3
           .scale = rgb(options.scale)};
 }
 
-PhotonMap::PhotonMap(std::vector<Photon> photons, float merge) : photons_(std::move(photons)) {
-  std::erase_if(photons_, [](const Photon& p) { return !is_sound(p); });
-  std::sort(photons_.begin(), photons_.end(), precedes);
-  if (merge > 0) photons_ = merge_photons(photons_, merge, kMinAgreement);
-  axis_.resize(photons_.size());
-  balance(0, photons_.size());
+PhotonMap::PhotonMap(std::vector<Photon> photons, float merge) {
+  std::erase_if(photons, [](const Photon& p) { return !is_sound(p); });
+  std::sort(photons.begin(), photons.end(), precedes);
+  if (merge > 0) photons = merge_photons(photons, merge, kMinAgreement);
+  tree_ = PlaceTree<Photon>(std::move(photons));
 }
 
 bool PhotonMap::is_valid() const {
   const auto is_unit = [](const Vec3& v) { return std::abs(v.length2() - 1) < kUnitError; };
-  return axis_.size() == photons_.size() &&
-         (near_wall_.empty() || near_wall_.size() == photons_.size()) &&
-         std::all_of(axis_.begin(), axis_.end(), [](std::uint8_t axis) { return axis < 3; }) &&
-         std::all_of(photons_.begin(), photons_.end(), [&](const Photon& p) {
+  return tree_.is_valid() && (near_wall_.empty() || near_wall_.size() == size()) &&
+         std::all_of(photons().begin(), photons().end(), [&](const Photon& p) {
            return is_sound(p) && is_unit(p.direction) && is_unit(p.normal);
          });
 }
 
-void PhotonMap::balance(std::size_t begin, std::size_t end) {
-  while (end - begin > kPhotonsOfLeaf) {
-    geom::Box3 box;
-    for (std::size_t i = begin; i < end; ++i) box.extendBy(photons_[i].position);
-    const Vec3 size = box.size();
-    const std::uint8_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const std::size_t middle = begin + (end - begin) / 2;
-    const auto at = [&](std::size_t i) {
-      return photons_.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    std::nth_element(at(begin), at(middle), at(end), [&](const Photon& a, const Photon& b) {
-      return a.position[axis] < b.position[axis];
-    });
-    axis_[middle] = axis;
-    balance(begin, middle);
-    begin = middle + 1;
-  }
-}
-
-template <class Nearest>
-void PhotonMap::find(const Vec3& position, const Vec3& normal, Nearest& nearest) const {
-  const auto visit = [&](std::size_t i) {
-    const Photon& photon = photons_[i];
-    const Vec3 d = photon.position - position;
-    const float distance2 = dot(d, d) + (sqr(kFlattening) - 1) * sqr(dot(d, normal));
-    if (distance2 >= nearest.reach2() || dot(photon.normal, normal) < kMinAgreement) return;
-    nearest.add(distance2, static_cast<std::uint32_t>(i));
-  };
-
-  // Depth first, the near half first; the far half waits with the distance of its plane.
-  struct Range {
-    std::size_t begin, end;
-    float plane2;
-  } waiting[64];
-  int count = 0;
-  waiting[count++] = {0, photons_.size(), 0};
-  while (count > 0) {
-    Range range = waiting[--count];
-    if (range.plane2 >= nearest.reach2()) continue;
-    while (range.end - range.begin > kPhotonsOfLeaf) {
-      const std::size_t middle = range.begin + (range.end - range.begin) / 2;
-      const float to_plane = position[axis_[middle]] - photons_[middle].position[axis_[middle]];
-      Range far{middle + 1, range.end, sqr(to_plane)};
-      if (to_plane < 0) {
-        range.end = middle;
-      } else {
-        far = {range.begin, middle, sqr(to_plane)};
-        range.begin = middle + 1;
-      }
-      if (far.plane2 < nearest.reach2()) {
-        visit(middle);
-        waiting[count++] = far;
-      }
-    }
-    for (std::size_t i = range.begin; i < range.end; ++i) visit(i);
-  }
-}
-
 float PhotonMap::radius(const Vec3& position, const Vec3& normal,
                         const PhotonLookup& lookup) const {
-  if (photons_.empty() || !(lookup.radius > 0)) return 0;
+  if (empty() || !(lookup.radius > 0)) return 0;
   Nearest nearest(std::clamp(lookup.count, 1, kMaxCount) + 1, lookup.radius);
-  find(position, normal, nearest);
+  tree_.find(position, normal, nearest);
   return nearest.is_full() ? std::sqrt(nearest.reach2()) : lookup.radius;
 }
 
 void PhotonMap::estimate_at_places(const PhotonLookup& lookup) {
-  estimates_.assign(photons_.size(), Rgb(0));
   if (!(lookup.radius > 0)) return;
+  std::vector<std::uint32_t> chosen;
+  for (std::uint32_t i = 0; i < size(); ++i)
+    if (is_place(i)) chosen.push_back(i);
+  std::vector<Estimate> estimates(chosen.size());
   const int count = std::clamp(lookup.count / 2, 1, kMaxCount) + 1;
   constexpr std::size_t kBlock = 256;
-  parallel_for((photons_.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
-    const std::size_t end = std::min(photons_.size(), (block + 1) * kBlock);
+  parallel_for((chosen.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
+    const std::size_t end = std::min(chosen.size(), (block + 1) * kBlock);
     for (std::size_t i = block * kBlock; i < end; ++i) {
-      if (!is_place(i)) continue;
-      NearestHalf nearest(false, count, lookup.radius);
-      find(photons_[i].position, photons_[i].normal, nearest);
+      const Photon& photon = photons()[chosen[i]];
+      NearestOthers nearest(count, lookup.radius);
+      tree_.find(photon.position, photon.normal, nearest);
       const float radius2 = nearest.is_full() ? nearest.reach2() : sqr(lookup.radius);
       Rgb sum(0);
       for (int k = nearest.is_full() ? 1 : 0; k < nearest.count(); ++k)
-        sum += photons_[nearest[k].index].power * 2.0f;
-      if (radius2 > 0) estimates_[i] = lookup.scale * sum * (1 / (kPi * radius2));
+        sum += photons()[nearest[k].index].power * 2.0f;
+      estimates[i] = {photon.position, photon.normal, Rgb(0)};
+      if (radius2 > 0) estimates[i].irradiance = lookup.scale * sum * (1 / (kPi * radius2));
     }
   });
+  estimates_ = PlaceTree<Estimate>(std::move(estimates));
 }
 
 Rgb PhotonMap::coarse_irradiance(const Vec3& position, const Vec3& normal,
                                  const PhotonLookup& lookup) const {
-  if (estimates_.empty()) return Rgb(0);
-  NearestHalf nearest(true, 1, kReachOfEstimates * lookup.radius);
-  find(position, normal, nearest);
-  return nearest.is_full() ? estimates_[nearest[0].index] : Rgb(0);
+  NearestPlace nearest(kReachOfEstimates * lookup.radius);
+  estimates_.find(position, normal, nearest);
+  const auto found = nearest.found();
+  return found ? estimates_.places()[*found].irradiance : Rgb(0);
 }
 
 Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup,
                           Rgb* by_light, std::size_t unknown, int* found) const {
-  if (photons_.empty() || !(lookup.radius > 0)) return Rgb(0);
+  if (empty() || !(lookup.radius > 0)) return Rgb(0);
   Nearest nearest(std::clamp(lookup.count, 1, kMaxCount) + 1, lookup.radius);
-  find(position, normal, nearest);
+  tree_.find(position, normal, nearest);
 
   const float radius2 = nearest.is_full() ? nearest.reach2() : sqr(lookup.radius);
   if (!(radius2 > 0)) return Rgb(0);
@@ -262,7 +215,7 @@ Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal, const Photon
   Rgb sum(0);
   if (found) *found += nearest.count() - (nearest.is_full() ? 1 : 0);
   for (int i = nearest.is_full() ? 1 : 0; i < nearest.count(); ++i) {
-    const Photon& photon = photons_[nearest[i].index];
+    const Photon& photon = photons()[nearest[i].index];
     if (lookup.walls_of && !near_wall_.empty() && near_wall_[nearest[i].index] != 0 &&
         is_walled_off(*lookup.walls_of, photon.position + above, position + above))
       continue;

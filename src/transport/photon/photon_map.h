@@ -8,6 +8,7 @@
 
 #include "geom/mesh.h"
 #include "scene/render_options.h"
+#include "transport/photon/place_tree.h"
 
 namespace oriel {
 
@@ -53,12 +54,11 @@ PhotonLookup photon_lookup(const scene::PhotonOptions& options, const geom::Box3
 
 /// Photons in a balanced tree. Immutable, so any thread may ask.
 ///
-/// Model:   the nearest photons by a distance in which the way along the normal counts
-///          kFlattening-fold: a disc on the surface, not a ball. Photons of surfaces that face
-///          elsewhere do not count. When there are more than `count` the first one left out gives
-///          the radius, which makes the estimate unbiased where photons lie evenly. Within about a
-///          radius of edges and shadow borders it is blurred. At edges part of the disc is beside
-///          the surface, so the estimate is too dark there, unless photon_edges.h made up for it.
+/// Model:   the nearest photons of a disc on the surface (PlaceTree). When there are more than
+///          `count` the first one left out gives the radius, which makes the estimate unbiased
+///          where photons lie evenly. Within about a radius of edges and shadow borders it is
+///          blurred. At edges part of the disc is beside the surface, so the estimate is too dark
+///          there, unless photon_edges.h made up for it.
 /// Inputs:  photons in any order: equal sets give equal maps. Those that are not finite are left
 ///          out. merge: photons nearer than this, of the same side, become one at their mean, with
 ///          the sum of their power; 0 = none do.
@@ -67,24 +67,21 @@ PhotonLookup photon_lookup(const scene::PhotonOptions& options, const geom::Box3
 class PhotonMap {
  public:
   static constexpr int kMaxCount = 4096;
-  static constexpr float kFlattening = 3;
-  /// Least cosine between the normals of a photon's surface and the one it may light; a guess
-  /// that keeps edges of 90 degrees apart and curved surfaces whole.
-  static constexpr float kMinAgreement = 0.5f;
+  static constexpr float kFlattening = PlaceTree<Photon>::kFlattening;
+  static constexpr float kMinAgreement = PlaceTree<Photon>::kMinAgreement;
 
   PhotonMap() = default;
   explicit PhotonMap(std::vector<Photon> photons, float merge = 0);
 
-  bool empty() const { return photons_.empty(); }
-  std::size_t size() const { return photons_.size(); }
-  std::size_t bytes() const { return photons_.size() * sizeof(Photon); }
-  const std::vector<Photon>& photons() const { return photons_; }
+  bool empty() const { return photons().empty(); }
+  std::size_t size() const { return photons().size(); }
+  std::size_t bytes() const { return tree_.bytes() + estimates_.bytes(); }
+  const std::vector<Photon>& photons() const { return tree_.places(); }
 
   /// Writes the map to a CheckpointWriter, or reads it from a CheckpointReader.
   template <class Checkpoint>
   void visit_state(Checkpoint& checkpoint) {
-    checkpoint.list(photons_);
-    checkpoint.list(axis_);
+    tree_.visit_state(checkpoint);
     checkpoint.list(near_wall_);
   }
   /// Whether numbers are finite and directions unit; of a map that was read.
@@ -107,20 +104,19 @@ class PhotonMap {
   /// Radius of the disc of irradiance().
   float radius(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup) const;
   /// Multiplies the power of photon i, as photons() counts.
-  void scale_power(std::size_t i, float factor) { photons_[i].power *= factor; }
+  void scale_power(std::size_t i, float factor) { tree_.places()[i].power *= factor; }
   /// Marks photons whose disc is cut by a wall: a value for each, other than 0. See walls_of.
   void mark_walls(std::vector<std::uint8_t> near_wall) { near_wall_ = std::move(near_wall); }
 
  private:
-  template <class Nearest>
-  void find(const Vec3& position, const Vec3& normal, Nearest& nearest) const;
-  void balance(std::size_t begin, std::size_t end);
+  struct Estimate {
+    Vec3 position{0}, normal{0, 0, 1};
+    Rgb irradiance{0};
+  };
 
-  // Of each range the middle photon is the node, what lies before and after it its two halves.
-  std::vector<Photon> photons_;
-  std::vector<std::uint8_t> axis_;
-  std::vector<std::uint8_t> near_wall_;  // empty: unknown
-  std::vector<Rgb> estimates_;           // one for each photon; empty: not made
+  PlaceTree<Photon> tree_;
+  std::vector<std::uint8_t> near_wall_;  // one for each photon; empty: unknown
+  PlaceTree<Estimate> estimates_;        // empty: not made
 };
 
 /// Whether an opaque surface is between two points that lie as far above a surface.

@@ -77,7 +77,7 @@ class MapTracer {
     // Photons that no map asks for any more are not followed.
     PhotonSettings settings = settings_;
     const PhotonAim aim =
-        settings_.sharp ? PhotonAim(source, settings_.sharp->spheres()) : PhotonAim();
+        settings_.sharp ? PhotonAim(source, settings_.sharp->spheres(stream - 1)) : PhotonAim();
     if (aim.share() == 0) return;
     PhotonBalance balance;
     std::uint64_t sent = 0;
@@ -210,7 +210,7 @@ PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, Ray
   for (std::size_t i = 0; i < world.lights.size(); ++i) {
     const LightPhotons& own = world.lights[i].photons;
     const LightPhotons* asked = request_of(world.lights[i], settings);
-    if (!asked || (settings.sharp && !settings.sharp->has_light(static_cast<int>(i)))) continue;
+    if (!asked || (settings.sharp && !settings.sharp->ways_of(static_cast<int>(i)))) continue;
     const double done = static_cast<double>(i);
     // Energy statements do not apply to paths.
     const EmissionRequest emission = settings.sharp ? EmissionRequest() : own.emission;

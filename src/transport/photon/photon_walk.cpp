@@ -9,6 +9,7 @@
 #include "lights/portal_table.h"
 #include "runtime/bump.h"
 #include "transport/lobes.h"
+#include "transport/path/direct.h"
 #include "transport/photon/photon_choice.h"
 #include "transport/ray_walk.h"
 #include "transport/scene_tracer.h"
@@ -51,6 +52,7 @@ class PhotonWalk {
         aim_(aim),
         index_(index),
         log_(log),
+        light_(stream - 1),
         sampler_(stream, kStreamRow, index, settings.seed),
         chain_(settings.chains ? stream - 1 : -1) {}
 
@@ -62,8 +64,15 @@ class PhotonWalk {
     return photon_bits(world_.instances[static_cast<std::size_t>(point.instance)].visibility,
                        !settings_.globillum);
   }
-  /// Whether the photon counts only if a mirror or clear glass scatters it next.
+  /// Whether the photon counts only if a caster scatters it next.
   bool needs_caster() const { return settings_.sharp && !scattered_; }
+  /// Whether the lobe may scatter the photon.
+  bool is_caster(const Lobe& lobe, const ShadingPoint& point) const {
+    if (!needs_caster()) return true;
+    if (is_delta(lobe.kind)) return (settings_.sharp->ways_of(light_) & kByMirror) != 0;
+    return group_of(lobe.kind) == LobeGroup::Reflection &&
+           settings_.sharp->bring(light_, point.instance, kByGloss);
+  }
   void stop() {
     log_.balance.stopped += precise(power());
     factor_ = Rgb(0);
@@ -71,7 +80,7 @@ class PhotonWalk {
   void pass_medium(const Medium& medium, float distance);
   bool pass_volume(const Vec3& end, float length);
   void store(const ShadingPoint& point, const Rgb& power);
-  float choose_lobes(const Closure& closure, LobeChoice& choice) const;
+  float choose_lobes(const Closure& closure, const ShadingPoint& point, LobeChoice& choice) const;
   bool continue_path(const Closure& closure, const Material& material, const ShadingPoint& point,
                      bool seen);
   bool pass_filter(Closure& closure, const Material& material, ShadingPoint& point);
@@ -101,6 +110,7 @@ class PhotonWalk {
   const PhotonAim& aim_;
   std::uint32_t index_;
   PhotonLog& log_;
+  int light_;  // index into World::lights; -1: the environment
   sampling::Sampler sampler_;
 
   EmittedPhoton photon_;
@@ -185,16 +195,19 @@ void PhotonWalk::store(const ShadingPoint& point, const Rgb& power) {
 /// Probability of each lobe: the share of power that it keeps. Returns their sum, at most 1.
 /// Where only caustics are wanted and glass is passed straight, its lobes have equal probabilities:
 /// the few percent that it reflects would else be found by few photons.
-float PhotonWalk::choose_lobes(const Closure& closure, LobeChoice& choice) const {
+float PhotonWalk::choose_lobes(const Closure& closure, const ShadingPoint& point,
+                               LobeChoice& choice) const {
   const Rgb now = power();
   const float most = max_component(now);
   float total = 0;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     if (lobe.controls.highlights_only || is_highlight(lobe.kind)) continue;
-    if (needs_caster() && !is_delta(lobe.kind)) continue;
+    const bool straight = transmits(lobe.kind) && !bends_light(closure, world_.options);
+    if (!is_caster(lobe, point) && !straight) continue;
     choice.rays[i] = std::max(0.0f, max_component(lobe.weight * now)) / most;
-    if (needs_caster() && choice.rays[i] > 0 && !bends_light(closure, world_.options))
+    if (needs_caster() && is_delta(lobe.kind) && choice.rays[i] > 0 &&
+        !bends_light(closure, world_.options))
       choice.rays[i] = 1;
     total += choice.rays[i];
   }
@@ -247,7 +260,7 @@ Rgb PhotonWalk::as_paths_see(const Material& material, const ShadingPoint& point
 bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
                                const ShadingPoint& point, bool seen) {
   LobeChoice choice;
-  const float survives = choose_lobes(closure, choice);
+  const float survives = choose_lobes(closure, point, choice);
   float u = sampler_.next_1d();
   const Vec2 u2 = sampler_.next_2d();
   if (!choice.any || u >= survives) return absorb(), false;
@@ -272,10 +285,13 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
 
   if (!seen) return absorb(), false;
   const bool wanted = settings_.globillum || !is_diffuse(kind);
-  const bool casts = needs_caster() ? settings_.sharp->casts(static_cast<int>(point.instance))
+  const CausticWay way = is_delta(kind) ? kByMirror : kByGloss;
+  const bool casts = needs_caster() ? settings_.sharp->bring(light_, point.instance, way)
                                     : (visibility(point) & kCastsCaustics) != 0;
   const bool through = transmits(kind) || kind == LobeKind::Translucency;
-  if (!count_bounce(through) || !wanted || !casts) {
+  // Paths sample the light at a glossy surface: the way from there has no bounce.
+  const bool sampled = needs_caster() && way == kByGloss;
+  if ((!sampled && !count_bounce(through)) || !wanted || !casts) {
     stop();
     return false;
   }
@@ -283,7 +299,10 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
   if (!sample) return absorb(), false;
   // Refraction keeps the power: the radiance factor between media is omitted, as in paths.
   const bool turns = !sample->delta && group_of(kind) != LobeGroup::Refraction;
-  const Rgb weight = turns ? as_paths_see(material, point, *sample, kind) : sample->weight;
+  Rgb weight = turns ? as_paths_see(material, point, *sample, kind) : sample->weight;
+  if (sampled)
+    weight *=
+        light_in_reflection(closure, world_.lights[static_cast<std::size_t>(light_)].visible).sum();
   if (!is_finite(weight)) return absorb(), false;
   lose(factor_ * weight);
   way_.medium.leave(closure, point, sample->wi);
@@ -311,7 +330,7 @@ bool PhotonWalk::pass_filter(Closure& closure, const Material& material, Shading
   for (int i = 0; i < closure.count; ++i) {
     Lobe& lobe = closure.lobes[i];
     if (transmits(lobe.kind)) lobe.weight = Rgb(0);
-    if (needs_caster() && !is_delta(lobe.kind)) continue;
+    if (!is_caster(lobe, point)) continue;
     if (!lobe.controls.highlights_only) other += lobe.weight * closure.opacity;
   }
   const float share = max_component(through * now) / max_component(now);
@@ -384,7 +403,7 @@ bool PhotonWalk::shade_hit(const geom::Hit& hit) {
     emitted_ = source_.power(photon_, length(point.position - start_)) * aim_.share();
   if (max_component(power()) <= 0) return absorb(), false;
   if (needs_caster() && !material.may_transmit &&
-      !settings_.sharp->casts(static_cast<int>(point.instance)))
+      !(settings_.sharp->ways_of(light_) & settings_.sharp->ways_by(point.instance)))
     return stop(), false;
   if (source_.is_environment() && !diffuse_ &&
       is_behind_portal(world_, point.position, -way_.ray.dir, hit.t, way_.ray.time))

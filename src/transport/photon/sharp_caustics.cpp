@@ -18,6 +18,11 @@ namespace {
 /// Weight of a mirror or glass lobe from which on an instance casts caustics. Varnish and polished
 /// stone are below it: their caustics are weak, and with them everything in a room would cast some.
 constexpr float kLeastWeight = 0.1f;
+/// Alpha up to which a glossy lobe is narrow: light samples on wider ones have little noise. A
+/// guess.
+constexpr float kNarrowAlpha = 0.3f;
+/// Own depth of reflections from which on it does not matter.
+constexpr int kDeepReflections = 4;
 /// Cosine of the view for which lobes are evaluated.
 constexpr float kCosine = 0.7f;
 /// Places of an instance at which its surface is evaluated.
@@ -34,10 +39,31 @@ bool is_small(const Light& light, float scene_diagonal) {
 /// Whether rays that leave mirrors can hit the light.
 bool is_met_by_mirrors(const Light& light) { return has_extent(light.shape) && light.visible; }
 
-bool is_one_of(const Light& light, CausticLights which, bool caustic_on, float scene_diagonal) {
-  if (light.portal || light.photons.none || !gives_direct_light(light)) return false;
-  const bool found = is_met_by_mirrors(light) && !(caustic_on && is_small(light, scene_diagonal));
-  return found == (which == CausticLights::Found);
+/// Whether samples of the light at a surface have the light of its photons: it casts shadows, and
+/// has no factors for lobes.
+bool agrees_with_samples(const World& world, const Light& light) {
+  if (!light.shader || light.shader->runs_code_of_users() || light.placed_by_shader) return false;
+  const geom::Box3 box = world.accel->bounds();
+  ShadingPoint point;
+  point.world = &world;
+  point.position = has_extent(light.shape) || light.has_direction
+                       ? light.position + light.direction * (length(box.size()) / 10)
+                       : box.center();
+  point.normal = point.geometric_normal = -light.direction;
+  const auto sample = sample_light(light, point, Vec2(0.5f));
+  return sample && sample->shadow && sample->shadow_factor == 0 && sample->affects_specular == 1 &&
+         !sample->force_specular;
+}
+
+std::uint8_t ways_of_light(const World& world, const Light& light, CausticLights which) {
+  if (light.portal || light.photons.none || !gives_direct_light(light)) return 0;
+  const bool small = is_small(light, length(world.accel->bounds().size()));
+  const bool met = is_met_by_mirrors(light);
+  const bool missed = !met || (world.options.caustic.on && small);
+  if (which == CausticLights::Missed) return missed ? kByMirror : 0;
+  std::uint8_t ways = missed ? 0 : kByMirror;
+  if (small && agrees_with_samples(world, light)) ways |= kByGloss;
+  return ways;
 }
 
 /// The middle of a triangle, seen at a slant from its front; false for a triangle without area.
@@ -71,38 +97,71 @@ bool look_at(const World& world, std::uint32_t instance, std::uint32_t primitive
   return true;
 }
 
-bool is_mirror_or_glass(const World& world, std::uint32_t instance, std::uint32_t primitive) {
+/// Whether rays find lights by way of the lobe just as light samples do.
+bool is_unlimited(const Lobe& lobe) {
+  const LobeControls& controls = lobe.controls;
+  return !controls.highlights_only && !(controls.falloff_distance > 0) &&
+         !controls.single_environment &&
+         (controls.depth == 0 || controls.depth >= kDeepReflections);
+}
+
+/// How the surface scatters light at the middle of a triangle.
+unsigned ways_at(const World& world, std::uint32_t instance, std::uint32_t primitive) {
   geom::Ray ray;
   geom::Hit hit;
-  if (!look_at(world, instance, primitive, ray, hit)) return false;
+  if (!look_at(world, instance, primitive, ray, hit)) return 0;
   const Material& material = material_of(world, hit);
-  if (!material.photon.empty()) return false;
+  if (!material.photon.empty()) return 0;
   ShadingPoint point;
   fill_point(world, ray, hit, {}, RayKind::PhotonLight, point);
   Closure closure;
   shade_for_photons(material, point, closure);
-  float weight = 0;
+  float mirror = 0, gloss = 0;
+  const int mode = closure.light_mode;
+  bool follows_samples = mode != 1 && mode != 2 && closure.lights.size == 0;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
-    if (is_delta(lobe.kind) && !lobe.controls.highlights_only)
-      weight += max_component(lobe.weight) * closure.opacity;
+    const float weight = max_component(lobe.weight) * closure.opacity;
+    if (is_delta(lobe.kind) && !lobe.controls.highlights_only) mirror += weight;
+    if (group_of(lobe.kind) != LobeGroup::Reflection || is_delta(lobe.kind)) continue;
+    follows_samples &= is_unlimited(lobe);
+    if (lobe.kind == LobeKind::GlossyReflection &&
+        std::max(lobe.alpha_x, lobe.alpha_y) <= kNarrowAlpha)
+      gloss += weight;
   }
-  return weight >= kLeastWeight;
+  unsigned ways = 0;
+  if (mirror >= kLeastWeight) ways |= kByMirror;
+  if (gloss >= kLeastWeight && follows_samples) ways |= kByGloss;
+  return ways;
 }
 
-bool casts_caustics(const World& world, std::uint32_t instance) {
-  const unsigned flags = photon_bits(world.instances[instance].visibility, true);
+unsigned ways_by_instance(const World& world, std::uint32_t instance) {
+  const InstanceData& data = world.instances[instance];
+  const unsigned flags = photon_bits(data.visibility, true);
   constexpr unsigned kNeeded = kMeetsCaustics | kCastsCaustics;
-  if ((flags & kNeeded) != kNeeded) return false;
+  if ((flags & kNeeded) != kNeeded) return 0;
   const geom::InstanceDesc& desc = world.accel->instance(instance);
-  if (!(desc.mask & geom::RayMask::FinalGather)) return false;
+  if (!(desc.mask & geom::RayMask::FinalGather)) return 0;
   const std::size_t count = world.accel->mesh(desc.mesh).triangles.size();
   const std::size_t places = std::min(count, kPlaces);
+  unsigned ways = 0;
   for (std::size_t i = 0; i < places; ++i)
-    if (is_mirror_or_glass(world, instance,
-                           static_cast<std::uint32_t>((2 * i + 1) * count / (2 * places))))
-      return true;
-  return false;
+    ways |=
+        ways_at(world, instance, static_cast<std::uint32_t>((2 * i + 1) * count / (2 * places)));
+  const bool sends = (data.visibility & kSendsReflections) != 0;
+  if (data.linked || !data.receives_shadow || !sends) ways &= ~unsigned{kByGloss};
+  return ways;
+}
+
+/// Whether all objects stop photons just as they cast shadows.
+bool all_cast_shadows(const World& world) {
+  if (world.options.shadow == scene::ShadowMode::Off) return false;
+  constexpr std::uint32_t kShadows = geom::RayMask::Shadow | geom::RayMask::ShadowTransparent;
+  for (std::uint32_t i = 0; i < world.accel->instance_count(); ++i) {
+    const std::uint32_t mask = world.accel->instance(i).mask;
+    if (((mask & kShadows) != 0) != ((mask & geom::RayMask::FinalGather) != 0)) return false;
+  }
+  return true;
 }
 
 SharpCaustics::Sphere bounding_sphere(const geom::Accel& accel, std::uint32_t instance) {
@@ -126,16 +185,35 @@ SharpCaustics::Sphere bounding_sphere(const geom::Accel& accel, std::uint32_t in
 
 SharpCaustics::SharpCaustics(const World& world, CausticLights which)
     : lights_(world.lights.size(), 0), casters_(world.instances.size(), 0) {
-  const float diagonal = length(world.accel->bounds().size());
+  unsigned wanted = 0;
   for (std::size_t i = 0; i < lights_.size(); ++i)
-    if (is_one_of(world.lights[i], which, world.options.caustic.on, diagonal))
-      lights_[i] = 1, ++light_count_;
-  if (light_count_ == 0) return;
+    wanted |= lights_[i] = ways_of_light(world, world.lights[i], which);
+  if (!all_cast_shadows(world)) wanted &= ~unsigned{kByGloss};
+  if (wanted == 0) {
+    lights_.assign(lights_.size(), 0);
+    return;
+  }
   parallel_for(world.accel->instance_count(), [&](std::size_t i) {
-    casters_[i] = casts_caustics(world, static_cast<std::uint32_t>(i)) ? 1 : 0;
+    casters_[i] =
+        static_cast<std::uint8_t>(ways_by_instance(world, static_cast<std::uint32_t>(i)) & wanted);
   });
-  for (std::uint32_t i = 0; i < world.accel->instance_count(); ++i)
-    if (casters_[i] != 0) spheres_.push_back(bounding_sphere(*world.accel, i));
+  unsigned found = 0;
+  for (std::uint32_t i = 0; i < world.accel->instance_count(); ++i) {
+    if (casters_[i] == 0) continue;
+    found |= casters_[i];
+    bounds_.push_back({bounding_sphere(*world.accel, i), casters_[i]});
+  }
+  for (std::uint8_t& ways : lights_) {
+    ways = static_cast<std::uint8_t>(ways & found);
+    light_count_ += ways != 0 ? 1 : 0;
+  }
+}
+
+std::vector<SharpCaustics::Sphere> SharpCaustics::spheres(int light) const {
+  std::vector<Sphere> spheres;
+  for (const Caster& caster : bounds_)
+    if ((caster.ways & ways_of(light)) != 0) spheres.push_back(caster.bounds);
+  return spheres;
 }
 
 }  // namespace oriel

@@ -11,22 +11,30 @@ namespace oriel {
 
 struct World;
 
-/// The lights whose caustics photons bring.
+/// Two kinds of caustics that photons bring.
 enum class CausticLights : std::uint8_t {
-  Missed,  ///< rays of mirrors cannot hit them, or hardly since they are small
-  Found    ///< all others: rays hit them, but rarely by way of curved mirrors and glass
+  Missed,      ///< by mirrors, of lights that rays cannot hit, or hardly since they are small
+  RarelyFound  ///< by mirrors, of all other lights; by narrow glossy lobes, of small lights
+};
+
+/// How an object scatters light that comes from a light; bits.
+enum CausticWay : std::uint8_t {
+  kByMirror = 1u << 0,  ///< by a mirror or clear glass
+  kByGloss = 1u << 1,   ///< by glossy reflection
 };
 
 /// Divides caustics between photons and paths: each way of light belongs to exactly one of them.
 ///
-/// Model:   photons bring the light of `lights` that is first scattered by a mirror or clear glass
-///          of one of the `casters`, up to the first diffuse surface. Paths bring all other light:
-///          they find large lights and the environment through mirrors and glass, and sample lights
-///          on rough surfaces. A light is missed by paths if rays of mirrors cannot hit it, or,
-///          with `caustic on`, if its extent is small compared with the scene. An instance is a
-///          caster if its surface shader has a mirror or clear glass lobe of at least kLeastWeight
-///          at one of a few places, its flags allow caustics, and no photon shader replaces its
-///          material. Without `caustic on` photons pass glass straight, as rays do.
+/// Model:   photons bring the light of some lights that is first scattered by one of the casters,
+///          up to the first diffuse surface. Paths bring all other light: they find large lights
+///          and the environment through mirrors and glass, and sample lights on rough surfaces. A
+///          light is missed by paths if rays of mirrors cannot hit it, or, with `caustic on`, if
+///          its extent is small compared with the scene. An instance is a caster by mirror if its
+///          surface shader has a mirror or clear glass lobe of at least kLeastWeight at one of a
+///          few places, its flags allow caustics, and no photon shader replaces its material; by
+///          gloss if a narrow glossy lobe has that weight and light samples on it have no rules
+///          that photons do not follow: lists of lights, surfaces without shadows, limited
+///          reflections. Without `caustic on` photons pass glass straight, as rays do.
 /// Checked: CausticPictures.* in tests/cross_method
 class SharpCaustics {
  public:
@@ -38,16 +46,28 @@ class SharpCaustics {
   SharpCaustics() = default;
   explicit SharpCaustics(const World& world, CausticLights which = CausticLights::Missed);
 
-  bool empty() const { return light_count_ == 0 || spheres_.empty(); }
+  bool empty() const { return light_count_ == 0; }
+  /// The number of lights that casters scatter.
   std::size_t light_count() const { return light_count_; }
-  bool has_light(int light) const { return lights_[static_cast<std::size_t>(light)] != 0; }
-  bool casts(int instance) const { return casters_[static_cast<std::size_t>(instance)] != 0; }
-  /// Bounds of the casters over the shutter interval, world.
-  const std::vector<Sphere>& spheres() const { return spheres_; }
+  /// Bits CausticWay: how casters scatter the light.
+  unsigned ways_of(int light) const { return lights_[static_cast<std::size_t>(light)]; }
+  /// The same for an instance: how it scatters some of the lights.
+  unsigned ways_by(int instance) const { return casters_[static_cast<std::size_t>(instance)]; }
+  /// Whether photons bring the light that the instance scatters first in that way.
+  bool bring(int light, int instance, CausticWay way) const {
+    return (ways_of(light) & ways_by(instance) & way) != 0;
+  }
+  /// Bounds of the casters of a light over the shutter interval, world.
+  std::vector<Sphere> spheres(int light) const;
 
  private:
-  std::vector<std::uint8_t> lights_, casters_;
-  std::vector<Sphere> spheres_;
+  struct Caster {
+    Sphere bounds;
+    unsigned ways = 0;
+  };
+
+  std::vector<std::uint8_t> lights_, casters_;  // bits CausticWay
+  std::vector<Caster> bounds_;
   std::size_t light_count_ = 0;
 };
 
