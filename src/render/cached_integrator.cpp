@@ -202,11 +202,11 @@ void CachedIntegrator::trace(const Camera::Ray& eye, Vec2 raster, float paths_of
 void CachedIntegrator::prepare(const IntegratorPreparation& p) {
   if (plan_.sharp_caustics) trace_sharp_caustics(p);
   if (plan_.global || plan_.caustic) trace_photon_maps(p);
+  trace_rarely_found(p);
   if (plan_.gather) gather(p);
   if (plan_.bounces) cache_bounces(gather_passes(p.seed), p);
   if (p.share && !std::exchange(helped_, true)) p.share->from_leader({});
   find_lit_surfaces(p);
-  trace_rarely_found(p);
   learn(p);
   if (!caches_only() && !p.monitor.cancelled())
     grid_.emplace(world_, path_settings(), p.seed, p.counts);
@@ -290,7 +290,7 @@ void CachedIntegrator::use_chains() {
 
 /// Nothing where paths do not learn, or find caustics with little noise.
 void CachedIntegrator::trace_rarely_found(const IntegratorPreparation& p) {
-  if (!learns() || plan_.bounces || !may_learn(world_, p.paths) || p.monitor.cancelled()) return;
+  if (!learns() || !may_learn(world_, p.paths) || p.monitor.cancelled()) return;
   if (path_settings().further_bounces != Rgb(1) || !all_cast_and_receive(world_)) return;
   SharpCaustics lights(world_, CausticLights::RarelyFound);
   if (lights.empty()) return;
@@ -352,7 +352,7 @@ void CachedIntegrator::cache_bounces(const GatherPasses& passes, const Integrato
   GatherSettings behind = passes.records;
   behind.path.finite_lights = !plan_.global;
   const IndirectCaches caustics = maps_;
-  if (maps_.caustic && !plan_.global) behind.path.maps = &caustics;
+  if ((maps_.caustic || maps_.rarely_found) && !plan_.global) behind.path.maps = &caustics;
   bounces_ = gather_bounces(world_, first_gather_points(world_, p.window, passes, p.counts), behind,
                             p.seed, p.counts, p.monitor);
   use_bounces();
@@ -415,6 +415,8 @@ void CachedIntegrator::save_maps(Out& out) {
   rarely_found_.map.visit_state(out);
   save_cache(out, bounces_.cache);
   out.value(static_cast<std::int32_t>(bounces_.held));
+  out.value(bounces_.query.radii.min);
+  out.value(bounces_.query.radii.max);
   save_cache(out, cache_);
 }
 
@@ -456,19 +458,23 @@ void CachedIntegrator::restore_maps(In& in, const IntegratorPreparation& p) {
   if (held < 0 || held > PathSettings::kAllBounces)
     throw CheckpointError("its gather points are invalid");
   bounces_.held = held;
+  GatherRadii radii;
+  in.value(radii.min);
+  in.value(radii.max);
+  if (!(radii.min >= 0 && radii.max >= radii.min))
+    throw CheckpointError("its gather points are invalid");
+  bounces_.query = bounces_query(radii);
   cache_ = restore_cache(in);
   if (plan_.sharp_caustics) sharp_ = SharpCaustics(world_);
   if (plan_.global || plan_.caustic || !sharp_.empty()) use_photon_maps();
   use_chains();
   if (plan_.gather) {
     const GatherPasses passes = gather_passes(p.seed);
-    bounces_.query = bounces_query(world_);
     if (paths_.diffuse_bounces > 0) use_bounces();
     use_gather_points(passes);
   }
   if (plan_.bounces) {
     gather_passes(p.seed);
-    bounces_.query = bounces_query(world_);
     if (paths_.diffuse_bounces > 0) use_bounces();
   }
 }

@@ -304,8 +304,8 @@ SceneText lit_ball(const std::string& options, const std::string& glass) {
   return scene;
 }
 
-/// Compares pictures with photons of rarely found caustics with pictures by rays alone, as means
-/// and in 16 blocks. `of`: the scene with these options.
+/// Compares pictures with photons of rarely found caustics with pictures by rays alone, as
+/// means and in 16 blocks. `of`: the scene with these options.
 void expect_photons_keep_light(SceneText (*of)(const std::string& options), const char* options,
                                double of_block, double of_mean) {
   // Enough paths to learn.
@@ -350,7 +350,7 @@ constexpr const char* kSatin =
 /// A room with two balls of satin metal, lit by `lamp`.
 SceneText satin_room(const std::string& options, const std::string& gloss, const std::string& lamp,
                      const std::string& flags = "") {
-  SceneText scene = start("\"indirect\" \"path\" " + options);
+  SceneText scene = start(options);
   room(scene);
   scene.light("lamp", lamp, flags)
       .material("satin", kSatin + gloss)

@@ -64,7 +64,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"glass_on_table", glass_on_table, 32}, Case{"curtain", curtain, 192},
                       Case{"glowing_sphere", glowing_sphere, 64}, Case{"two_rooms", two_rooms, 48},
                       Case{"sky_portal", sky_portal, 32, 2 * kTolerance},
-                      Case{"furnished", furnished, 64}),
+                      Case{"furnished", furnished, 64},
+                      Case{"furnished_on_land", furnished_on_land, 64}),
     [](const auto& i) { return std::string(i.param.name); });
 
 }  // namespace methods_test

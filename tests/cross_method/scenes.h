@@ -162,6 +162,13 @@ inline SceneText furnished() {
   return scene;
 }
 
+/// The same on wide land: radii must follow the room, and not all of the scene.
+inline SceneText furnished_on_land() {
+  SceneText scene = furnished();
+  scene.square("floor", Vec3(0, -1.7f, 0), 60, Vec3(0, 1, 0));
+  return scene;
+}
+
 inline SceneText glossy_corner() {
   SceneText scene = start();
   scene.material("polished",

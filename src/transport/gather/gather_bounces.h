@@ -18,8 +18,8 @@ struct Bounces {
   std::vector<GatherPoint> points = {};  ///< of the records
 };
 
-/// The look-ups of a world's Bounces.
-GatherQuery bounces_query(const World& world);
+/// The look-ups of records with these radii.
+GatherQuery bounces_query(const GatherRadii& radii);
 
 /// Computes records at the points that gather rays from `seen` hit, and at those that rays from
 /// there hit.
@@ -28,6 +28,8 @@ GatherQuery bounces_query(const World& world);
 ///          records of the previous round reflect, so round k contains k bounces. Once a round
 ///          changes little, the remaining bounces are extrapolated as a geometric series with the
 ///          ratio of the last two rounds. Rays that hit points without a record continue as paths.
+///          Radii follow the diagonal of the space that the picture shows, which nine tenths of the
+///          rays between its surfaces tell; it is at most that of the scene.
 /// Inputs:  seen: the gather points of the picture; settings: those of its records;
 ///          settings.path.diffuse_bounces is the number of bounces, above 0; most: records.
 /// Checked: tests/cross_method
