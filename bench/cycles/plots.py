@@ -7,7 +7,8 @@
 Renders the scenes of catalogue.py with growing numbers of samples, fixed and adaptive, in
 alternation, and writes docs/images/convergence/SCENE.svg and a table of the times to equal error.
 Errors and times are those of compare.py, whose converged pictures are in the folder DIR; the
-measurements are kept there, too. Requires Debian's `python3-matplotlib` besides.
+measurements are kept there, too. With --one-reference the converged picture of Oriel is that of
+both programs, for scenes where Cycles does not converge in reasonable time. Requires Debian's `python3-matplotlib` besides.
 """
 import argparse
 import json
@@ -39,7 +40,8 @@ def points(args, name, folder):
     cycles = compare.Cycles(args, name, folder, oriel)
     renderers = dict(zip(PROGRAMS, (oriel, compare.Oriel(args, name, folder, "--no-guiding"), cycles)))
     references = {"Oriel": compare.reference(oriel, args, name, "oriel"),
-                  "Cycles": compare.reference(cycles, args, name, "cycles")}
+                  "Cycles": compare.reference(*((oriel, args, name, "oriel") if args.one_reference
+                                                else (cycles, args, name, "cycles")))}
     found = {program: {"fixed": [], "adaptive": []} for program in PROGRAMS}
     for kind, samples in [("fixed", n) for n in SAMPLES] + [("adaptive", SAMPLES[-1])]:
         for program, renderer in renderers.items():
@@ -96,6 +98,7 @@ def main():
     parser.add_argument("--probe", required=True, help="a latitude-longitude picture")
     parser.add_argument("--keep", required=True, help="folder for pictures and measurements")
     parser.add_argument("--reference", type=int, default=1024, help="samples of converged pictures")
+    parser.add_argument("--one-reference", action="store_true", help="that of Oriel, for both programs")
     parser.add_argument("--adaptive", type=float, default=.05, help="noise threshold")
     parser.add_argument("scenes", nargs="*", metavar="SCENE")
     args = parser.parse_args()

@@ -1,0 +1,63 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Compares Oriel with Blender's Cycles without converged pictures.
+
+    bench/cycles/differences.py --oriel build/release/bin/oriel --probe STUDIO.hdr [SCENE ...]
+
+The error of a program is half of the mean squared difference of its pictures with other seeds,
+relative to their median, without .2 % of the pixels. It is the noise without a bias, so that dots of
+a converged picture do not matter; agreement of the programs is measured by compare.py. Times are
+those of compare.py.
+"""
+import argparse
+import os
+import sys
+import tempfile
+
+import numpy
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+import catalogue  # noqa: E402  beside this file
+import compare  # noqa: E402
+
+LEFT_OUT = .002
+
+
+def noise(pictures):
+    """Mean over the pairs of pictures."""
+    middle = numpy.median(pictures, axis=0)
+    level = middle + .01 * middle.mean()
+    means = []
+    for i, a in enumerate(pictures):
+        for b in pictures[:i]:
+            squares = numpy.sort((((a - b) / level) ** 2 / 2).mean(axis=2).ravel())
+            means.append(squares[:int(len(squares) * (1 - LEFT_OUT))].mean())
+    return numpy.mean(means)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--oriel", required=True)
+    parser.add_argument("--probe", required=True, help="a latitude-longitude picture")
+    parser.add_argument("--samples", type=int, default=32)
+    parser.add_argument("--pictures", type=int, default=3, help="of each program")
+    parser.add_argument("scenes", nargs="*", metavar="SCENE")
+    args = parser.parse_args()
+    args.oriel, args.probe, args.adaptive = os.path.abspath(args.oriel), os.path.abspath(args.probe), 0
+    print("| scene | Oriel: error, seconds | Cycles | time to equal error, Cycles / Oriel |\n|---|---|---|---|")
+    for name in args.scenes or catalogue.SCENES:
+        with tempfile.TemporaryDirectory() as folder:
+            oriel = compare.Oriel(args, name, folder)
+            cost, cells = [], []
+            for renderer in (oriel, compare.Cycles(args, name, folder, oriel)):
+                runs = [renderer.render(args.samples, 500 + k) for k in range(args.pictures)]
+                error = noise([r["picture"] for r in runs])
+                seconds = numpy.median([r["seconds"] for r in runs])
+                cost.append(error * seconds)
+                cells.append(f"{error:.4f} in {seconds:.2f} s")
+            print(f"| {name} | {cells[0]} | {cells[1]} | {cost[1] / cost[0]:.2f} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
