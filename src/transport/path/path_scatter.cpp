@@ -298,10 +298,9 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   // At grazing angles a lobe is narrower in one direction; a round lobe of the same area is used.
   way_.roughness = alpha * std::sqrt(std::abs(dot(point.wo(), lobe.frame.n)));
   from_.weighed = !sample.delta;
+  const bool casts = sample.delta || group_of(lobe.kind) == LobeGroup::Reflection;
+  from_.caster = casts && depth_.after_diffuse && settings_.maps ? point.instance : -1;
   from_.caster_way = sample.delta ? kByMirror : kByGloss;
-  const bool casts = settings_.maps && depth_.after_diffuse &&
-                     (sample.delta || group_of(lobe.kind) == LobeGroup::Reflection);
-  from_.caster = casts ? point.instance : -1;
   from_.pdf = sample.pdf;
   from_.group = group_of(lobe.kind);
   from_.passed = way_.volume_passed = 0;
