@@ -196,11 +196,11 @@ void DirectSum::add_environment(const Vec2& u) {
 }  // namespace
 
 Rgb light_of(const World& world, ShadingPoint& point, const Closure& closure, int light, Vec2 u,
-             bool rays_bend, RayCounts& counts) {
+             bool rays_bend, const IndirectCaches* mapped, RayCounts& counts) {
   const LitVertex at(world, point, closure);
   if (!(world.light_sampler->expected_samples(at, light) > 0)) return Rgb(0);
   const DirectRequest request{
-      .rays_bend = rays_bend, .for_the_eye = rays_bend, .unblocked_only = true};
+      .rays_bend = rays_bend, .for_the_eye = rays_bend, .mapped = mapped, .unblocked_only = true};
   const LobeChoice lobes;
   DirectSum direct(world, point, closure, lobes, at, request, counts, nullptr);
   direct.add_light({light, 1}, u);

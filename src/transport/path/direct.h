@@ -91,10 +91,10 @@ DirectLight direct_light(const World& world, ShadingPoint& point, const Closure&
 /// Light of one directional light alone, as direct_light() computes it, with expected values.
 ///
 /// Inputs:  point: where no opaque object is between it and the light; u: of sample_light();
-///          rays_bend: as DirectRequest. The closure is ready for the viewer.
+///          rays_bend, mapped: as DirectRequest. The closure is ready for the viewer.
 /// Returns: radiance toward wo; black if the light would pass opaque objects.
 Rgb light_of(const World& world, ShadingPoint& point, const Closure& closure, int light, Vec2 u,
-             bool rays_bend, RayCounts& counts);
+             bool rays_bend, const IndirectCaches* mapped, RayCounts& counts);
 
 /// Weights of a light in reflecting lobes, where both rays and highlights can show it.
 struct LightInReflection {

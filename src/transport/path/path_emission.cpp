@@ -189,8 +189,9 @@ Rgb Path::seen_of(const SurfaceTarget& target, const Closure& closure, const Sha
       if (target.light < 0) return kept * its.emission * its.opacity;
       if (straight) met.glossiness = its.glossiness;
       make_ready(its, met.wo());
-      return kept * light_of(world_, met, its, target.light, target.u_light, !straight, counts_) *
-             its.opacity;
+      return kept * its.opacity *
+             light_of(world_, met, its, target.light, target.u_light, !straight,
+                      straight ? settings_.maps : nullptr, counts_);
     }
 
     Closure filter;
