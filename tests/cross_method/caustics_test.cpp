@@ -304,8 +304,8 @@ SceneText lit_ball(const std::string& options, const std::string& glass) {
   return scene;
 }
 
-/// Compares pictures with photons of rarely found caustics with pictures by rays alone, as
-/// means and in 16 blocks. `of`: the scene with these options.
+/// Expects the light of pictures with and without photons to be equal in 16 blocks and as a mean.
+/// `of`: the scene with these options.
 void expect_photons_keep_light(SceneText (*of)(const std::string& options), const char* options,
                                double of_block, double of_mean) {
   // Enough paths to learn.
@@ -381,6 +381,21 @@ TEST(CausticPictures, PhotonsOfSmallLightsKeepTheLightOfSatinMetal) {
   };
   expect_photons_keep_light(point, "caustic off", .02, .004);
   expect_photons_keep_light(disc, "caustic on", .03, .002);
+}
+
+// Sunlit surfaces are sampled as lights, too; their glossy caustics belong to photons.
+// acceptance: Q3
+TEST(CausticPictures, PhotonsOfTheSunKeepTheLightOfSatinMetal) {
+  const auto sunlit = [](const std::string& options) {
+    SceneText scene = room_with_window(options);
+    scene
+        .light("sun", "\"mia_physicalsun\" ( \"y_is_up\" on, \"haze\" 2 ) direction " +
+                          text_of(normalize(Vec3(-1, -.7f, -.2f))))
+        .material("satin", kSatin + std::string(".18"))
+        .sphere("satin", Vec3(-.3f, -.9f, -3), .5f, 32);
+    return scene;
+  };
+  expect_photons_keep_light(sunlit, "caustic off", .06, .015);
 }
 
 /// How photons bring the light of one lamp by a triangle of satin metal.

@@ -303,6 +303,7 @@ void Path::run(const Camera::Ray& eye) {
 void Path::gather_ray(const ShadingPoint& point, const Vec3& direction, float reach) {
   way_.kind = RayKind::FinalGather;
   depth_.after_diffuse = true;
+  caustics_ = settings_.maps;
   depth_.bounces = 1;
   aov_.fixed = true;
   eye_hit_.eye = point.position;

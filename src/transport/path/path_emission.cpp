@@ -191,7 +191,7 @@ Rgb Path::seen_of(const SurfaceTarget& target, const Closure& closure, const Sha
       make_ready(its, met.wo());
       return kept * its.opacity *
              light_of(world_, met, its, target.light, target.u_light, !straight,
-                      straight ? settings_.maps : nullptr, counts_);
+                      gathers ? maps_read_here() : caustics_, counts_);
     }
 
     Closure filter;

@@ -47,6 +47,7 @@ Path PathForShaders::sub_path(const sampling::Sampler& stream, PathRecord& recor
   sub.aov_.fixed = true;
   sub.eye_hit_.features_seen = true;
   sub.off_maps_ = path_.off_maps_;
+  sub.caustics_ = path_.caustics_;
   return sub;
 }
 
@@ -90,6 +91,8 @@ Rgb PathForShaders::irradiance(const ShadingPoint& point, const Vec3& normal,
     if (path_.settings_.maps->caustic)
       sum += irradiance_at(*path_.settings_.maps->caustic, at, at.geometric_normal,
                            path_.settings_.maps->caustic_lookup);
+    if (const SharpPhotons* rarely_found = path_.settings_.maps->rarely_found)
+      sum += irradiance_at(rarely_found->map, at, at.geometric_normal, rarely_found->lookup);
     LightParts parts;
     if (const auto found = path_.mapped_irradiance(at, normal, parts)) return sum + *found;
   }
@@ -104,6 +107,7 @@ Rgb PathForShaders::irradiance(const ShadingPoint& point, const Vec3& normal,
   PathRecord record({}, path_.record_->user_buffers);
   Path sub = sub_path(stream, record);
   sub.way_.kind = RayKind::FinalGather;
+  sub.caustics_ = path_.maps_read_here();
   sub.depth_.after_diffuse = true;
   sub.way_.blurred = false;
   sub.depth_.reflections = sub.depth_.refractions = 0;

@@ -202,7 +202,7 @@ void Path::take_direct(const Closure& closure, const LobeChoice& choice, Shading
                               .observer = depth_.after_diffuse ? nullptr : record_->observer,
                               .place = place_,
                               .beside = beside_lit_surfaces(point),
-                              .mapped = depth_.after_diffuse ? settings_.maps : nullptr};
+                              .mapped = caustics_};
   if (record_->has_layers()) return take_direct_of_layers(closure, choice, point, request);
   add_direct(closure,
              direct_light(world_, point, closure, choice, from_.lights, request, sampler_, counts_),
@@ -250,6 +250,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
     case LobeKind::Translucency:
       light_.throughput *= indirect_factor();
       way_.kind = RayKind::FinalGather;
+      caustics_ = maps_read_here();
       depth_.after_diffuse = true;
       way_.blurred = false;
       depth_.reflections = depth_.refractions = 0;
@@ -299,7 +300,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   way_.roughness = alpha * std::sqrt(std::abs(dot(point.wo(), lobe.frame.n)));
   from_.weighed = !sample.delta;
   const bool casts = sample.delta || group_of(lobe.kind) == LobeGroup::Reflection;
-  from_.caster = casts && depth_.after_diffuse && settings_.maps ? point.instance : -1;
+  from_.caster = casts ? point.instance : -1;
   from_.caster_way = sample.delta ? kByMirror : kByGloss;
   from_.pdf = sample.pdf;
   from_.group = group_of(lobe.kind);

@@ -33,6 +33,7 @@ bool Path::pass_volume(const NodeList& nodes, ShadingPoint& way, bool endless) {
     light_.lights = light_.throughput;
     way_.kind = RayKind::FinalGather;
     depth_.after_diffuse = aov_.fixed = true;
+    caustics_ = nullptr;
     way_.blurred = false;
     aov_.at_surface = aov_.leaving = eye_hit_.alpha_open = false;
     depth_.reflections = depth_.refractions = 0;

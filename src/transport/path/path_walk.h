@@ -95,7 +95,8 @@ class Path {
       return group == LobeGroup::Diffuse ? hit.affects_diffuse : hit.affects_specular;
     }
     bool shadows = true;
-    /// The instance of a lobe whose caustics may be mapped, and how it scatters; -1 = none.
+    /// If the lobe is a mirror, glass or glossy: its instance, otherwise -1. See
+    /// is_mapped_caustic().
     int caster = -1;
     CausticWay caster_way = kByMirror;
     // Surfaces were sampled as lights for diffuse lobes, and for glossy reflections.
@@ -282,6 +283,7 @@ class Path {
            depth_.diffuse_bounces < settings_.diffuse_bounces;
   }
   bool reads_maps() const { return settings_.maps && (depth_.after_diffuse || !off_maps_); }
+  const IndirectCaches* maps_read_here() const { return reads_maps() ? settings_.maps : nullptr; }
   /// Whether the global photon map replaces diffuse rays here. It does not contain direct light of
   /// the sky.
   bool reads_photons() const {
@@ -304,7 +306,8 @@ class Path {
   }
   /// The same for light of one light along the current ray, if the map contains some caustics only.
   bool is_mapped_caustic(int light) const {
-    return from_.caster >= 0 && settings_.maps->have_sharp(light, from_.caster, from_.caster_way);
+    return caustics_ && from_.caster >= 0 &&
+           caustics_->have_sharp(light, from_.caster, from_.caster_way);
   }
   /// Factor of the options on indirect light that rays bring to this vertex.
   Rgb indirect_factor() const {
@@ -346,6 +349,9 @@ class Path {
   PathRecord* record_;
   const GlossyGrid* grid_;   ///< null for rays of shaders
   SurfaceVisitor* visitor_;  ///< null = the path estimates light
+  /// The maps that the last diffuse vertex has read caustics of, which its rays must not add again;
+  /// null: none, as before the first one, and for points in volumes and light meters.
+  const IndirectCaches* caustics_ = nullptr;
 
   PathObserver::Place place_ = PathObserver::kEye;
   RayWay way_;
