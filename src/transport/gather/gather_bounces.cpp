@@ -29,9 +29,8 @@ constexpr float kRays = 0.5f;
 constexpr int kMaxRays = 100;
 /// Minimum radius of a record as a fraction of the diagonal of the space that the picture shows.
 constexpr float kMinRecordRadius = 0.02f;
-/// The diagonal of a room divided by the length that a tenth of the rays between its surfaces
-/// exceed. Ten rooms, empty and furnished, had 1.45 to 1.9. Rays to land behind windows should be
-/// fewer.
+/// Of the rays between surfaces of a room, a tenth are longer than its diagonal / kDiagonalPerRay.
+/// Ten rooms, empty and furnished, had 1.45 to 1.9. Rays to land behind windows should be fewer.
 constexpr double kLongRays = 0.1;
 constexpr float kDiagonalPerRay = 1.9f;
 /// Maximum number of rounds; relative change of a round at which the remaining bounces are
@@ -51,7 +50,7 @@ constexpr int kFeelerColumn = 0x66656c, kRecordColumn = 0x726563;
 
 /// Radii for a space with this diagonal; the picture's may be in pixels.
 GatherRadii coarse_radii(float diagonal) {
-  GatherRadii radii = default_gather_radii(geom::Box3(Vec3(0), Vec3(diagonal, 0, 0)));
+  GatherRadii radii = default_gather_radii(diagonal);
   radii.min = kMinRecordRadius * diagonal;
   return radii;
 }

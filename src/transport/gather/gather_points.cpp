@@ -85,8 +85,8 @@ void visit_gather_ray(const World& world, const GatherPoint& from, const Vec3& d
       .gather_ray(from.point, direction, kInfinity);
 }
 
-GatherRadii default_gather_radii(const geom::Box3& scene) {
-  const float max = kMaxRadius * length(scene.max - scene.min);
+GatherRadii default_gather_radii(float diagonal) {
+  const float max = kMaxRadius * diagonal;
   return {kMinRadius * max, max, false};
 }
 
@@ -97,7 +97,7 @@ GatherSettings gather_settings(const scene::RenderOptions& all, const geom::Box3
   s.filter = options.filter;
   s.reach = options.falloff_stop;
   s.fades_from = std::min(options.falloff_start, options.falloff_stop);
-  s.radii = default_gather_radii(scene);
+  s.radii = default_gather_radii(length(scene.max - scene.min));
   s.radii.in_pixels = options.radius_in_pixels && options.max_radius > 0;
   if (options.max_radius > 0) s.radii.max = options.max_radius;
   s.radii.min = options.min_radius > 0 ? options.min_radius : kMinRadius * s.radii.max;

@@ -39,8 +39,8 @@ struct GatherSettings {
   PathSettings path;  ///< of the rays: bounces behind the first surface, photons
 };
 
-/// Default radii, from the size of the scene.
-GatherRadii default_gather_radii(const geom::Box3& scene);
+/// Default radii, from the diagonal of the scene, scene units.
+GatherRadii default_gather_radii(float diagonal);
 
 /// Settings from the options. The scene's box and trace depth supply defaults.
 GatherSettings gather_settings(const scene::RenderOptions& options, const geom::Box3& scene);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/vec.h"
+#include "geom/mesh.h"
 
 namespace oriel {
 
@@ -68,13 +68,9 @@ class PlaceTree {
 template <class Place>
 void PlaceTree<Place>::balance(std::size_t begin, std::size_t end) {
   while (end - begin > kPlacesOfLeaf) {
-    Vec3 low = places_[begin].position, high = low;
-    for (std::size_t i = begin; i < end; ++i)
-      for (int c = 0; c < 3; ++c) {
-        low[c] = std::min(low[c], places_[i].position[c]);
-        high[c] = std::max(high[c], places_[i].position[c]);
-      }
-    const Vec3 size = high - low;
+    geom::Box3 box;
+    for (std::size_t i = begin; i < end; ++i) box.extendBy(places_[i].position);
+    const Vec3 size = box.size();
     const std::uint8_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::size_t middle = begin + (end - begin) / 2;
     const auto at = [&](std::size_t i) { return places_.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -93,8 +89,7 @@ void PlaceTree<Place>::find(const Vec3& position, const Vec3& normal, Nearest& n
   const auto visit = [&](std::size_t i) {
     const Place& place = places_[i];
     const Vec3 d = place.position - position;
-    const float along = dot(d, normal);
-    const float distance2 = dot(d, d) + (kFlattening * kFlattening - 1) * (along * along);
+    const float distance2 = dot(d, d) + (sqr(kFlattening) - 1) * sqr(dot(d, normal));
     if (distance2 >= nearest.reach2() || dot(place.normal, normal) < kMinAgreement) return;
     nearest.add(distance2, static_cast<std::uint32_t>(i));
   };
@@ -112,11 +107,11 @@ void PlaceTree<Place>::find(const Vec3& position, const Vec3& normal, Nearest& n
     while (range.end - range.begin > kPlacesOfLeaf) {
       const std::size_t middle = range.begin + (range.end - range.begin) / 2;
       const float to_plane = position[axis_[middle]] - places_[middle].position[axis_[middle]];
-      Range far{middle + 1, range.end, to_plane * to_plane};
+      Range far{middle + 1, range.end, sqr(to_plane)};
       if (to_plane < 0) {
         range.end = middle;
       } else {
-        far = {range.begin, middle, to_plane * to_plane};
+        far = {range.begin, middle, sqr(to_plane)};
         range.begin = middle + 1;
       }
       if (far.plane2 < nearest.reach2()) {

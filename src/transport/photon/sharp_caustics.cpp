@@ -135,7 +135,8 @@ unsigned ways_at(const World& world, std::uint32_t instance, std::uint32_t primi
   return ways;
 }
 
-unsigned ways_by_instance(const World& world, std::uint32_t instance) {
+/// Of the wanted ways, those of an instance.
+unsigned ways_by_instance(const World& world, std::uint32_t instance, unsigned wanted) {
   const InstanceData& data = world.instances[instance];
   const unsigned flags = photon_bits(data.visibility, true);
   constexpr unsigned kNeeded = kMeetsCaustics | kCastsCaustics;
@@ -144,12 +145,12 @@ unsigned ways_by_instance(const World& world, std::uint32_t instance) {
   if (!(desc.mask & geom::RayMask::FinalGather)) return 0;
   const std::size_t count = world.accel->mesh(desc.mesh).triangles.size();
   const std::size_t places = std::min(count, kPlaces);
-  unsigned ways = 0;
-  for (std::size_t i = 0; i < places; ++i)
-    ways |=
-        ways_at(world, instance, static_cast<std::uint32_t>((2 * i + 1) * count / (2 * places)));
   const bool sends = (data.visibility & kSendsReflections) != 0;
-  if (data.linked || !data.receives_shadow || !sends) ways &= ~unsigned{kByGloss};
+  if (data.linked || !data.receives_shadow || !sends) wanted &= ~unsigned{kByGloss};
+  unsigned ways = 0;
+  for (std::size_t i = 0; i < places && ways != wanted; ++i)
+    ways |= wanted & ways_at(world, instance,
+                             static_cast<std::uint32_t>((2 * i + 1) * count / (2 * places)));
   return ways;
 }
 
@@ -195,7 +196,7 @@ SharpCaustics::SharpCaustics(const World& world, CausticLights which)
   }
   parallel_for(world.accel->instance_count(), [&](std::size_t i) {
     casters_[i] =
-        static_cast<std::uint8_t>(ways_by_instance(world, static_cast<std::uint32_t>(i)) & wanted);
+        static_cast<std::uint8_t>(ways_by_instance(world, static_cast<std::uint32_t>(i), wanted));
   });
   unsigned found = 0;
   for (std::uint32_t i = 0; i < world.accel->instance_count(); ++i) {

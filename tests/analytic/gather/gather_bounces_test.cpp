@@ -18,6 +18,17 @@ GatherPoint floor_point(const World& world, const Vec3& place) {
   return p;
 }
 
+/// n x n points on the floor of a box from -1 to 1.
+std::vector<GatherPoint> floor_points(const World& world, int n) {
+  std::vector<GatherPoint> points;
+  const auto at = [&](int i) {
+    return (2 * static_cast<float>(i) + 1) / static_cast<float>(n) - 1;
+  };
+  for (int i = 0; i < n * n; ++i)
+    points.push_back(floor_point(world, Vec3(at(i % n), at(i / n), -1)));
+  return points;
+}
+
 // Two closed rooms: no ray leads from one to the other.
 TEST(GatherBounces, VisibleRoomsHaveRecordsForAnyPointCount) {
   SceneText scene;
@@ -42,7 +53,7 @@ TEST(GatherBounces, VisibleRoomsHaveRecordsForAnyPointCount) {
   EXPECT_GT(in_rooms[1], 20);
 }
 
-// The radii of a room are the same on wide land around it.
+// Wide land around a room hardly changes the radii, while the scene is 400 times as large.
 TEST(GatherBounces, RadiiFollowTheSpaceThatIsSeen) {
   const auto radii_of = [](bool land) {
     SceneText scene;
@@ -52,10 +63,7 @@ TEST(GatherBounces, RadiiFollowTheSpaceThatIsSeen) {
     GatherSettings settings = gather_settings({}, probe.world().accel->bounds());
     settings.path.diffuse_bounces = 1;
     settings.rays = 16;
-    std::vector<GatherPoint> seen;
-    for (int i = 0; i < 400; ++i)
-      seen.push_back(
-          floor_point(probe.world(), Vec3(.1f * (i % 20) - .95f, .1f * (i / 20) - .95f, -1)));
+    const std::vector<GatherPoint> seen = floor_points(probe.world(), 20);
     RayCounts counts;
     return gather_bounces(probe.world(), seen, settings, 1, counts, {}).query.radii;
   };
@@ -139,10 +147,7 @@ TEST(GatherBounces, AllBouncesOfCausticsAreHeld) {
   settings.path.diffuse_bounces = PathSettings::kAllBounces;
   settings.path.maps = &maps;
   settings.rays = 200;
-  std::vector<GatherPoint> seen;
-  for (int i = 0; i < 100; ++i)
-    seen.push_back(
-        floor_point(probe.world(), Vec3(.2f * (i % 10) - .9f, .2f * (i / 10) - .9f, -1)));
+  const std::vector<GatherPoint> seen = floor_points(probe.world(), 10);
   RayCounts counts;
   const Bounces bounces = gather_bounces(probe.world(), seen, settings, 1, counts, {});
   ASSERT_FALSE(bounces.cache.records().empty());
