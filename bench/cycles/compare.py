@@ -174,10 +174,28 @@ def compare(name, args, folder):
         print(f"| {name} | {method} | " + text(ours, ratio), flush=True)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+def parser_of(doc):
+    """A parser with the arguments that the programs of this folder share."""
+    parser = argparse.ArgumentParser(description=doc.splitlines()[0])
     parser.add_argument("--oriel", required=True)
     parser.add_argument("--probe", required=True, help="a latitude-longitude picture")
+    parser.add_argument("scenes", nargs="*", metavar="SCENE")
+    return parser
+
+
+def parsed(parser):
+    """Arguments with absolute paths and all scenes if none are given."""
+    args = parser.parse_args()
+    unknown = [s for s in args.scenes if s not in catalogue.SCENES]
+    if unknown:
+        parser.error(f"unknown scenes {unknown}; there are {list(catalogue.SCENES)}")
+    args.oriel, args.probe = os.path.abspath(args.oriel), os.path.abspath(args.probe)
+    args.scenes = args.scenes or list(catalogue.SCENES)
+    return args
+
+
+def main():
+    parser = parser_of(__doc__)
     parser.add_argument("--samples", type=int, default=32)
     parser.add_argument("--reference", type=int, default=4096, help="samples of converged pictures")
     parser.add_argument("--turns", type=int, default=5, help="0: only the agreement")
@@ -186,14 +204,9 @@ def main():
                         help="noise threshold of adaptive sampling in both; --samples is the maximum")
     parser.add_argument("--wall", action="store_true", help="also time one run with all threads")
     parser.add_argument("--keep", help="folder for converged pictures, which are used again")
-    parser.add_argument("scenes", nargs="*", metavar="SCENE")
-    args = parser.parse_args()
-    unknown = [s for s in args.scenes if s not in catalogue.SCENES]
-    if unknown:
-        parser.error(f"unknown scenes {unknown}; there are {list(catalogue.SCENES)}")
-    args.oriel, args.probe = os.path.abspath(args.oriel), os.path.abspath(args.probe)
+    args = parsed(parser)
     with tempfile.TemporaryDirectory() as folder:
-        for name in args.scenes or catalogue.SCENES:
+        for name in args.scenes:
             compare(name, args, folder)
 
 

@@ -9,7 +9,6 @@ relative to their median, without .2 % of the pixels. It is the noise without a 
 a converged picture do not matter; agreement of the programs is measured by compare.py. Times are
 those of compare.py.
 """
-import argparse
 import os
 import sys
 import tempfile
@@ -18,8 +17,8 @@ import numpy
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
-import catalogue  # noqa: E402  beside this file
-import compare  # noqa: E402
+import compare  # noqa: E402  beside this file
+import measure  # noqa: E402
 
 LEFT_OUT = .002
 
@@ -27,26 +26,18 @@ LEFT_OUT = .002
 def noise(pictures):
     """Mean over the pairs of pictures."""
     middle = numpy.median(pictures, axis=0)
-    level = middle + .01 * middle.mean()
-    means = []
-    for i, a in enumerate(pictures):
-        for b in pictures[:i]:
-            squares = numpy.sort((((a - b) / level) ** 2 / 2).mean(axis=2).ravel())
-            means.append(squares[:int(len(squares) * (1 - LEFT_OUT))].mean())
-    return numpy.mean(means)
+    return numpy.mean([measure.error(a, b, middle, LEFT_OUT) / 2
+                       for i, a in enumerate(pictures) for b in pictures[:i]])
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--oriel", required=True)
-    parser.add_argument("--probe", required=True, help="a latitude-longitude picture")
+    parser = compare.parser_of(__doc__)
     parser.add_argument("--samples", type=int, default=32)
     parser.add_argument("--pictures", type=int, default=3, help="of each program")
-    parser.add_argument("scenes", nargs="*", metavar="SCENE")
-    args = parser.parse_args()
-    args.oriel, args.probe, args.adaptive = os.path.abspath(args.oriel), os.path.abspath(args.probe), 0
+    args = compare.parsed(parser)
+    args.adaptive = 0
     print("| scene | Oriel: error, seconds | Cycles | time to equal error, Cycles / Oriel |\n|---|---|---|---|")
-    for name in args.scenes or catalogue.SCENES:
+    for name in args.scenes:
         with tempfile.TemporaryDirectory() as folder:
             oriel = compare.Oriel(args, name, folder)
             cost, cells = [], []

@@ -49,11 +49,12 @@ def preview(images, path):
     save(shown.clip(0, 1), path)
 
 
-def error(image, reference):
-    """Mean squared relative error without the pixels where it is largest."""
-    squares = ((image - reference) / (reference + .01 * reference.mean())) ** 2
+def error(image, reference, level=None, left_out=LEFT_OUT):
+    """Mean squared error relative to a level (the reference), without the pixels where it is largest."""
+    level = reference if level is None else level
+    squares = ((image - reference) / (level + .01 * level.mean())) ** 2
     squares = numpy.sort(squares.mean(axis=2).ravel())
-    return squares[:int(len(squares) * (1 - LEFT_OUT))].mean()
+    return squares[:int(len(squares) * (1 - left_out))].mean()
 
 
 def blocks(image):

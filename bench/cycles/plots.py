@@ -8,9 +8,9 @@ Renders the scenes of catalogue.py with growing numbers of samples, fixed and ad
 alternation, and writes docs/images/convergence/SCENE.svg and a table of the times to equal error.
 Errors and times are those of compare.py, whose converged pictures are in the folder DIR; the
 measurements are kept there, too. With --one-reference the converged picture of Oriel is that of
-both programs, for scenes where Cycles does not converge in reasonable time. Requires Debian's `python3-matplotlib` besides.
+both programs, for scenes where Cycles does not converge in reasonable time. Requires Debian's
+`python3-matplotlib` besides.
 """
-import argparse
 import json
 import os
 import sys
@@ -20,8 +20,7 @@ import numpy
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
-import catalogue  # noqa: E402  beside this file
-import compare  # noqa: E402
+import compare  # noqa: E402  beside this file
 import measure  # noqa: E402
 
 SAMPLES = (4, 16, 64)
@@ -39,9 +38,9 @@ def points(args, name, folder):
     oriel = compare.Oriel(args, name, folder)
     cycles = compare.Cycles(args, name, folder, oriel)
     renderers = dict(zip(PROGRAMS, (oriel, compare.Oriel(args, name, folder, "--no-guiding"), cycles)))
-    references = {"Oriel": compare.reference(oriel, args, name, "oriel"),
-                  "Cycles": compare.reference(*((oriel, args, name, "oriel") if args.one_reference
-                                                else (cycles, args, name, "cycles")))}
+    references = {"Oriel": compare.reference(oriel, args, name, "oriel")}
+    references["Cycles"] = (references["Oriel"] if args.one_reference
+                            else compare.reference(cycles, args, name, "cycles"))
     found = {program: {"fixed": [], "adaptive": []} for program in PROGRAMS}
     for kind, samples in [("fixed", n) for n in SAMPLES] + [("adaptive", SAMPLES[-1])]:
         for program, renderer in renderers.items():
@@ -93,21 +92,17 @@ def row(name, found):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--oriel", required=True)
-    parser.add_argument("--probe", required=True, help="a latitude-longitude picture")
+    parser = compare.parser_of(__doc__)
     parser.add_argument("--keep", required=True, help="folder for pictures and measurements")
     parser.add_argument("--reference", type=int, default=1024, help="samples of converged pictures")
     parser.add_argument("--one-reference", action="store_true", help="that of Oriel, for both programs")
     parser.add_argument("--adaptive", type=float, default=.05, help="noise threshold")
-    parser.add_argument("scenes", nargs="*", metavar="SCENE")
-    args = parser.parse_args()
-    args.oriel, args.probe = os.path.abspath(args.oriel), os.path.abspath(args.probe)
+    args = compare.parsed(parser)
     os.makedirs(OUT, exist_ok=True)
     print("| scene | --no-guiding / Oriel | Cycles / Oriel | adaptive | to .01, Oriel / Cycles | to .001 |")
     print("|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as folder:
-        for name in args.scenes or catalogue.SCENES:
+        for name in args.scenes:
             found = points(args, name, folder)
             draw(name, found)
             print(row(name, found), flush=True)
