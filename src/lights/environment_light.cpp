@@ -16,6 +16,25 @@ constexpr float kUniformShare = 0.02f;
 /// where no ray of a lobe finds them.
 constexpr float kPlainShare = 0.2f;
 
+/// A direction by a distribution over cells, or evenly.
+EnvironmentLight::Sample sample_from(const auto& distribution, Vec2 u, const auto& sample,
+                                     const auto& pdf_of) {
+  Vec2 uv;
+  std::size_t cell = 0;
+  if (u.x < kUniformShare) {
+    uv = Vec2(u.x / kUniformShare, u.y);
+    cell = distribution.cell(uv);
+  } else {
+    u.x = std::min((u.x - kUniformShare) / (1 - kUniformShare), 0x1.fffffep-1f);
+    const auto s = sample(u);
+    uv = s.uv;
+    cell = s.index;
+  }
+  const Vec3 wi = sampling::octahedral_direction(uv);
+  const float pdf = kUniformShare + (1 - kUniformShare) * pdf_of(cell);
+  return {wi, pdf / sampling::octahedral_solid_angle(wi), cell};
+}
+
 }  // namespace
 
 EnvironmentLight::EnvironmentLight(const World& world, bool draft) : table_(world, draft) {
@@ -47,29 +66,23 @@ EnvironmentLight::EnvironmentLight(const World& world, bool draft) : table_(worl
                       stretch * std::max(0.0f, luminances[i] - mean_luminance_) * angles[i];
   }
   in_proportion_ = std::make_shared<const sampling::Distribution2D>(proportion, side, side);
-  standing_out_ = std::make_shared<const sampling::Distribution2D>(standing_out, side, side);
+  standing_out_ = std::make_shared<const sampling::FacingDistribution>(standing_out, side);
 }
 
-EnvironmentLight::Sample EnvironmentLight::sample_from(const sampling::Distribution2D& distribution,
-                                                       Vec2 u) const {
-  Vec2 uv;
-  std::size_t cell = 0;
-  if (u.x < kUniformShare) {
-    uv = Vec2(u.x / kUniformShare, u.y);
-    cell = distribution.cell(uv);
-  } else {
-    u.x = std::min((u.x - kUniformShare) / (1 - kUniformShare), 0x1.fffffep-1f);
-    const auto s = distribution.sample(u);
-    uv = s.uv;
-    cell = s.index;
-  }
-  const Vec3 wi = sampling::octahedral_direction(uv);
-  const float pdf = kUniformShare + (1 - kUniformShare) * distribution.pdf(cell);
-  return {wi, pdf / sampling::octahedral_solid_angle(wi), cell};
+EnvironmentLight::Sample EnvironmentLight::sample(const Vec3& normal, Vec2 u) const {
+  return sample_from(
+      *standing_out_, u, [&](Vec2 v) { return standing_out_->sample(normal, v); },
+      [&](std::size_t cell) { return standing_out_->pdf(normal, cell); });
 }
 
-float EnvironmentLight::pdf(const Vec3& direction, std::size_t cell) const {
-  const float pdf = kUniformShare + (1 - kUniformShare) * standing_out_->pdf(cell);
+EnvironmentLight::Sample EnvironmentLight::sample_alone(Vec2 u) const {
+  return sample_from(
+      *in_proportion_, u, [&](Vec2 v) { return in_proportion_->sample(v); },
+      [&](std::size_t cell) { return in_proportion_->pdf(cell); });
+}
+
+float EnvironmentLight::pdf(const Vec3& normal, const Vec3& direction, std::size_t cell) const {
+  const float pdf = kUniformShare + (1 - kUniformShare) * standing_out_->pdf(normal, cell);
   return pdf / sampling::octahedral_solid_angle(direction);
 }
 

@@ -7,6 +7,7 @@
 #include "base/vec.h"
 #include "lights/environment_table.h"
 #include "sampling/distribution.h"
+#include "sampling/facing_distribution.h"
 
 namespace oriel {
 
@@ -32,22 +33,21 @@ class EnvironmentLight {
     float pdf;         ///< per solid angle
     std::size_t cell;  ///< of the table
   };
-  /// For use with MIS: directions brighter than the mean are sampled more often than in proportion,
-  /// since BSDF samples find the rest about as well.
+  /// For use with MIS, on a surface: in proportion to radiance times cosine, where directions
+  /// brighter than the mean are sampled more often, since BSDF samples find the rest about as well.
+  /// Inputs:  normal: unit; null: lit from everywhere.
   /// Source:  Karlik et al., "MIS Compensation: Optimizing Sampling Techniques in Multiple
   ///          Importance Sampling", ACM TOG 38(6), 2019.
   /// Checked: Sky.IrradianceOfTheSkyIsFoundWithFewSamples
-  Sample sample(Vec2 u) const { return sample_from(*standing_out_, u); }
-  float pdf(const Vec3& direction) const { return pdf(direction, table_.cell_of(direction)); }
-  float pdf(const Vec3& direction, std::size_t cell) const;
+  Sample sample(const Vec3& normal, Vec2 u) const;
+  float pdf(const Vec3& normal, const Vec3& direction, std::size_t cell) const;
   /// In proportion to radiance, without MIS: for photons.
-  Sample sample_alone(Vec2 u) const { return sample_from(*in_proportion_, u); }
+  Sample sample_alone(Vec2 u) const;
 
  private:
-  Sample sample_from(const sampling::Distribution2D& distribution, Vec2 u) const;
-
   EnvironmentTable table_;
-  std::shared_ptr<const sampling::Distribution2D> in_proportion_, standing_out_;
+  std::shared_ptr<const sampling::Distribution2D> in_proportion_;
+  std::shared_ptr<const sampling::FacingDistribution> standing_out_;
   float mean_luminance_ = 0, unevenness_ = 0;
 };
 

@@ -44,6 +44,11 @@ class EnvironmentTable {
   bool constant() const { return constant_.has_value(); }
   /// Whether the radiance of glossy rays is the same.
   bool same_for_glossy_rays() const { return same_for_glossy_rays_; }
+  /// Whether glossy rays need no more detail: a lobe covers many cells. Inputs:  pdf: density of
+  /// the lobe's sample, per solid angle.
+  bool is_fine_for(float pdf) const {
+    return same_for_glossy_rays_ && pdf * kMinCellsOfLobe * 4 * kPi < static_cast<float>(cells());
+  }
 
   /// The radiance along a ray; its kind is not used. Inputs:  cell: of the direction.
   Rgb radiance(const World& world, const EnvironmentRay& ray, std::size_t cell) const {
@@ -57,6 +62,10 @@ class EnvironmentTable {
   std::size_t cell_of(const Vec3& direction) const;
 
  private:
+  /// Cells that a lobe covers, so that their means show as much as single points.
+  static constexpr float kMinCellsOfLobe = 20;
+  std::size_t cells() const { return side_ * side_; }
+
   struct Cell;
   /// The means of points x points. `tests`: also what else the radiance depends on.
   Cell cell(const World& world, std::size_t x, std::size_t y, int points, bool tests) const;

@@ -146,17 +146,22 @@ TEST(EnvironmentLight, DensityIsThatOfItsSamples) {
   const EnvironmentLight light(scene.world);
   // The lamp has 2 pi (1 - cos) 5000 of 4 pi.
   EXPECT_NEAR(light.mean_luminance(), 1 + .5 * (1 - .999985) * 5000, .01);
-  constexpr int kDraws = 40000;
-  double solid_angle = 0, lamps = 0;
-  for (int i = 0; i < kDraws; ++i) {
-    const auto s = light.sample(sampling::Sampler(i, 0, 0).next_2d());
-    ASSERT_NEAR(light.pdf(s.wi) / s.pdf, 1, 1e-4);
-    ASSERT_NEAR(length(s.wi), 1, 1e-5);
-    solid_angle += 1.0 / kDraws / static_cast<double>(s.pdf);
-    lamps += dot(s.wi, kLamp) > .999985f ? 1.0 / kDraws / static_cast<double>(s.pdf) : 0;
+  // Lit from everywhere, and on surfaces that face the lamp, stand beside it, and face away.
+  for (const Vec3& normal : {Vec3(0), kLamp, normalize(cross(kLamp, Vec3(1, 0, 0))), -kLamp}) {
+    constexpr int kDraws = 40000;
+    double solid_angle = 0, lamps = 0;
+    for (int i = 0; i < kDraws; ++i) {
+      const auto s = light.sample(normal, sampling::Sampler(i, 0, 0).next_2d());
+      ASSERT_NEAR(light.pdf(normal, s.wi, s.cell) / s.pdf, 1, 1e-4);
+      ASSERT_NEAR(length(s.wi), 1, 1e-5);
+      solid_angle += 1.0 / kDraws / static_cast<double>(s.pdf);
+      lamps += dot(s.wi, kLamp) > .999985f ? 1.0 / kDraws / static_cast<double>(s.pdf) : 0;
+    }
+    EXPECT_NEAR(solid_angle / (4 * M_PI), 1, .1) << normal;
+    if (dot(normal, kLamp) >= 0) {
+      EXPECT_NEAR(lamps / (2 * M_PI * (1 - .999985)), 1, .05) << normal;
+    }
   }
-  EXPECT_NEAR(solid_angle / (4 * M_PI), 1, .05);
-  EXPECT_NEAR(lamps / (2 * M_PI * (1 - .999985)), 1, .05);
 }
 
 }  // namespace environment_table_test

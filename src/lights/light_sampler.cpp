@@ -160,7 +160,7 @@ LightSampler::EnvironmentFound LightSampler::find_environment(const LitVertex* s
   const std::size_t cell = environment_.table().cell_of(ray.direction);
   const float plain = plain_share(*sampled);
   float pdf = 0;
-  if (plain > 0) pdf += plain * environment_.pdf(ray.direction, cell);
+  if (plain > 0) pdf += plain * environment_.pdf(sampled->lit_.normal, ray.direction, cell);
   if (plain < 1) pdf += (1 - plain) * openings_.pdf(sampled->lit_, ray.direction);
   return {environment_.table().radiance(world_, ray, cell), pdf * sampled->environment_samples};
 }
@@ -178,7 +178,8 @@ std::optional<EnvironmentDirection> LightSampler::sample_environment(const LitVe
   const float plain = plain_share(at);
   EnvironmentDirection found{{Vec3(0), kFar, 0}, 0};
   if (u.x < plain) {
-    const auto s = environment_.sample(Vec2(std::min(u.x / plain, 0x1.fffffep-1f), u.y));
+    const auto s =
+        environment_.sample(at.lit_.normal, Vec2(std::min(u.x / plain, 0x1.fffffep-1f), u.y));
     found.wi = s.wi;
     found.cell = s.cell;
     found.pdf = plain * s.pdf;
@@ -190,7 +191,7 @@ std::optional<EnvironmentDirection> LightSampler::sample_environment(const LitVe
     found.wi = s->wi;
     found.cell = environment_.table().cell_of(s->wi);
     found.pdf = (1 - plain) * s->pdf;
-    if (plain > 0) found.pdf += plain * environment_.pdf(s->wi, found.cell);
+    if (plain > 0) found.pdf += plain * environment_.pdf(at.lit_.normal, s->wi, found.cell);
   }
   found.pdf *= expected;
   return found;

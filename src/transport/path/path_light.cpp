@@ -193,10 +193,12 @@ void Path::meet_environment() {
   if (!own && (gathers || weighed))
     seen = world_.light_sampler->find_environment(weighed ? &from_.lights : nullptr, ray);
   Rgb radiance = seen.radiance;
-  if (own || !gathers || alpha_counts) {
+  const EnvironmentTable& table = world_.light_sampler->environment().table();
+  const bool evaluated = own || !(gathers || (weighed && table.is_fine_for(from_.pdf)));
+  if (evaluated || alpha_counts) {
     const Rgba c = environment_radiance(shaders, world_, ray);
     if (alpha_counts) pass_to_background(clamp01(c.a));
-    if (own || !gathers) radiance = rgb(c);
+    if (evaluated) radiance = rgb(c);
   }
   if (weighed) {
     // Radiance that light sampling can find gets a MIS weight; the rest is added in full. Nothing

@@ -72,7 +72,7 @@ Estimate by_direct_light(const World& world, const Light* light, const Card& car
       const auto sample = sample_light(*light, point, u);
       return sample ? sample->irradiance.y * std::max(0.0f, dot(sample->wi, point.normal)) : 0.0f;
     }
-    const auto sample = world.light_sampler->environment().sample(u);
+    const auto sample = world.light_sampler->environment().sample(point.normal, u);
     const Rgba radiance = environment_radiance(world.environment, world, point.position, sample.wi,
                                                RayKind::FinalGather);
     return radiance.g * std::max(0.0f, dot(sample.wi, point.normal)) / sample.pdf;
