@@ -151,8 +151,13 @@ int main(int argc, char** argv) {
     RayCounts counts;
     const MapFiles files;
     const ProgressMonitor monitor;
-    make_integrator(*world)->prepare(
-        {window, window, 0, 0, files, diagnostics, monitor, [] {}, counts});
+    make_integrator(*world)->prepare({.window = window,
+                                      .picture = window,
+                                      .files = files,
+                                      .diagnostics = diagnostics,
+                                      .monitor = monitor,
+                                      .after_pass = [] {},
+                                      .counts = counts});
   });
   RenderSession session(*world, {.budget = {.samples = 1}});
   const Phase all = measured([&] { session.run(); });

@@ -40,6 +40,7 @@ struct IntegratorPreparation {
   /// refers to it, so that a crop has the same pixels.
   Window picture;
   double paths = 0;
+  float noise = 0;  ///< relative noise that ends the picture, with fewer paths; 0: none
   std::uint32_t seed = 0;
   const MapFiles& files;
   Diagnostics& diagnostics;

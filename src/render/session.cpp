@@ -242,10 +242,15 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
 
 IntegratorPreparation RenderSession::preparation(const ProgressMonitor& monitor,
                                                  std::function<void()> after_pass) {
-  return {maps_window_,     window_of(world_, std::nullopt),
-          expected_paths(), seed_,
-          map_files_,       diagnostics_,
-          monitor,          std::move(after_pass),
+  return {maps_window_,
+          window_of(world_, std::nullopt),
+          expected_paths(),
+          budget_.every_pixel ? 0 : budget_.noise,
+          seed_,
+          map_files_,
+          diagnostics_,
+          monitor,
+          std::move(after_pass),
           rays_of_maps_};
 }
 
@@ -254,7 +259,7 @@ double RenderSession::expected_paths() const {
   const double pixels = double(picture.width()) * double(picture.height());
   // The time limit does not count: a render that continues may have another one.
   const bool fixed = !(budget_.noise > 0) && budget_.max_samples <= kMostExpected;
-  return pixels * (fixed ? budget_.max_samples : kUsualSamples);
+  return pixels * (fixed ? budget_.max_samples : std::min(budget_.max_samples, kUsualSamples));
 }
 
 RenderSession::Preparation RenderSession::take_preparation() {

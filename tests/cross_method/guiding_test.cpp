@@ -73,6 +73,23 @@ std::string large_box(const std::string& options) {
   return text;
 }
 
+TEST(GuidedPictures, LearnLittleForANoiseTargetThatIsMetSoon) {
+  std::string scene = large_box("\"indirect\" \"path\"");
+  const std::string size = "resolution 96 96";
+  scene.replace(scene.find(size), size.size(), "resolution 160 160");
+  const Probe probe(scene);
+  const auto rays_before = [&](float noise) {
+    RenderSession session(probe.world(), {.budget = {.noise = noise}});
+    session.prepare();
+    return session.rays_before();
+  };
+  // 160 x 160 x 64 paths learn by some 400,000 rays; 16 samples of a pixel are too few to learn,
+  // and only pilot paths find that.
+  EXPECT_GT(rays_before(.01f), 300'000u);
+  EXPECT_LT(rays_before(.5f), 150'000u);
+  EXPECT_GT(rays_before(.5f), 0u);
+}
+
 /// The pixels of a window that starts at the lower left.
 std::vector<Rgb> window(const std::string& scene, int side, int threads) {
   const ThreadLimit limit(threads);

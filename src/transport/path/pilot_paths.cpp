@@ -152,6 +152,11 @@ double PilotPaths::noise(const std::vector<Rgb>& levels, const PilotPaths& other
   return noise + certain * certain / (1 - kKeptShare);
 }
 
+double PilotPaths::noise_of_path() const {
+  // The difference of two means has twice their variance.
+  return noise(levels(*this, *this), *this) * (kSamplesOfMean / 2.0);
+}
+
 PilotComparison PilotPaths::compare(const PilotPaths& others) const {
   if (pixels_.empty()) return {};
   const std::vector<Rgb> light = levels(*this, others);

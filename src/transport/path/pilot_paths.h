@@ -39,6 +39,8 @@ class PilotPaths {
   /// `others` relative to these. Inputs:  others: of the same window, seed and number of pixels.
   /// Returns: 1 without any light.
   PilotComparison compare(const PilotPaths& others) const;
+  /// Squared relative noise of one path of a pixel.
+  double noise_of_path() const;
 
  private:
   struct Pixel {
@@ -49,7 +51,7 @@ class PilotPaths {
                      std::uint32_t pixel, std::uint32_t seed, RayCounts& counts);
   /// Light by which noise of each pixel is divided, from both choices.
   static std::vector<Rgb> levels(const PilotPaths& a, const PilotPaths& b);
-  /// Squared relative noise of a mean.
+  /// Squared relative noise of a mean. Light that only the others have counts as well.
   double noise(const std::vector<Rgb>& levels, const PilotPaths& others) const;
 
   std::vector<Pixel> pixels_;

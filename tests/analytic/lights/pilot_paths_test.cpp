@@ -54,6 +54,39 @@ TEST(PilotPaths, FindNoDifferenceBetweenEqualSettings) {
   EXPECT_NEAR(sum, 1, .2);
 }
 
+TEST(PilotPaths, KnowTheNoiseOfAPath) {
+  // A lamp of 1 x 1 at distance 1, which the rays of the visible part of the floor find alike.
+  SceneText scene = lamp_over_floor(.5f);
+  scene.camera("focal 1 aperture .1 aspect 1 resolution 32 32",
+               "transform 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -4 1");
+  const Probe probe(scene);
+  const World& world = probe.world();
+  PathSettings rays;
+  rays.estimator = Estimator::BsdfOnly;
+  RayCounts counts;
+  // The variance of means of eight stratified paths.
+  constexpr int kMeans = 2048, kPaths = 8;
+  double sum = 0, squares = 0;
+  for (int i = 0; i < kMeans; ++i) {
+    double mean = 0;
+    for (std::uint32_t k = 0; k < kPaths; ++k) {
+      sampling::Sampler sampler(i, 0, k, 7);
+      const Vec2 raster = Vec2(float(i % 32), float(i / 32 % 32)) + sampler.next_2d();
+      mean += static_cast<double>(
+                  trace_path(world, world.camera.ray(raster), raster, rays, sampler, counts)
+                      .radiance.y) /
+              kPaths;
+    }
+    sum += mean / kMeans;
+    squares += mean * mean / kMeans;
+  }
+  const double expected = kPaths * (squares / (sum * sum) - 1);
+  const PilotPaths pilots(world, {0, 0, 32, 32}, rays, 0, counts, 2048);
+  // The light of a pixel is known by four means only, which divides by too little.
+  EXPECT_GT(pilots.noise_of_path(), .9 * expected);
+  EXPECT_LT(pilots.noise_of_path(), 1.6 * expected);
+}
+
 TEST(PilotPaths, DoNotDependOnTheNumberOfThreads) {
   const Probe probe(lamp_over_floor(.1f));
   const float many = ratio(probe.world(), Estimator::Mis, Estimator::BsdfOnly);
