@@ -2,6 +2,7 @@
 """The scenes of the comparison by name."""
 import functools
 
+import everyday
 import hard
 import interiors
 import scenes
@@ -10,4 +11,6 @@ SCENES = {"cornell": scenes.cornell, "sky_room": scenes.sky_room, "sun_room": sc
           "glossy": scenes.glossy, "glass_shadows": functools.partial(scenes.glass, True),
           "glass_caustics": functools.partial(scenes.glass, False), "exterior": scenes.exterior,
           "day_room": interiors.day_room, "night_room": interiors.night_room,
-          "bathroom": interiors.bathroom, "door_ajar": hard.door_ajar, "pool": hard.pool}
+          "bathroom": interiors.bathroom, "door_ajar": hard.door_ajar, "pool": hard.pool,
+          "kitchen": everyday.kitchen, "product": everyday.product, "street": everyday.street,
+          "office": everyday.office, "loft": everyday.loft}

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "base/assert.h"
 #include "sampling/octahedral.h"
@@ -64,10 +65,11 @@ struct Interval {
   float inside, width;
 };
 
-/// The interval of the sums that contains u. Inputs:  count: of intervals, a power of two.
+/// The interval of the sums that contains u. Comparing with all of them is faster than a binary
+/// search, which waits for memory in each step.
 Interval find_interval(const float* sums, std::size_t count, float u) {
-  std::size_t i = 0;
-  for (std::size_t step = count / 2; step > 0; step /= 2) i += sums[i + step] <= u ? step : 0;
+  std::uint32_t i = 0;
+  for (std::size_t k = 1; k < count; ++k) i += sums[k] <= u ? 1 : 0;
   const float width = sums[i + 1] - sums[i];
   return {i, below_one((u - sums[i]) / std::max(width, 1e-30f)), width};
 }

@@ -300,10 +300,7 @@ class Path {
   }
   /// Whether all light that reaches diffuse surfaces through mirrors and glass is in the caustic
   /// map. Rays that leave such a surface must then not add it again.
-  bool caustics_are_mapped() const {
-    return settings_.maps && settings_.maps->caustic && !settings_.maps->sharp &&
-           depth_.after_diffuse;
-  }
+  bool caustics_are_mapped() const { return caustics_ && caustics_->caustic && !caustics_->sharp; }
   /// The same for light of one light along the current ray, if the map contains some caustics only.
   bool is_mapped_caustic(int light) const {
     return caustics_ && from_.caster >= 0 &&

@@ -32,12 +32,9 @@ TEST(MeasureRooms, APortalChangesNoReadingBehindIt) {
   }
 }
 
-/// Mean lux over the picture of the room's floor.
-double mean_lux(const std::string& method) {
-  SceneText scene = room(kSky, .5f);
-  add_window(scene);
-  scene.method(method).camera("focal 1 aperture 1 aspect 1.5 resolution 24 16",
-                              "0 0 -1 0  -1 0 0 0  0 1 0 0  0 -1.5 -.1 1");
+/// Mean lux over the picture.
+double mean_lux(SceneText scene, const std::string& method) {
+  scene.method(method);
   RenderedScene rendered(scene.str(), {.budget = {.samples = 128}, .irradiance = true}, registry());
   double sum = 0;
   std::size_t count = 0;
@@ -48,9 +45,34 @@ double mean_lux(const std::string& method) {
 }
 
 TEST(MeasureRooms, TheLayerIsTheSameByPathsAndByGathering) {
-  const double path = mean_lux("path"), gathered = mean_lux("fg");
+  SceneText floor = room(kSky, .5f);
+  add_window(floor);
+  floor.camera("focal 1 aperture 1 aspect 1.5 resolution 24 16",
+               "0 0 -1 0  -1 0 0 0  0 1 0 0  0 -1.5 -.1 1");
+  const double path = mean_lux(floor, "path"), gathered = mean_lux(floor, "fg");
   ASSERT_GT(path, 0);
   EXPECT_NEAR(gathered, path, .02 * path);
+}
+
+// Caustic photons do not lie on surfaces without a diffuse lobe.
+TEST(MeasureRooms, TheLayerHasTheLightOfMirrorsOnBlackSurfaces) {
+  SceneText scene("trace depth 8 8 12 photon trace depth 8 8 12 shadow segments caustic on");
+  scene.material("black", "\"diffuse_weight\" 0, \"reflectivity\" 0")
+      .material("mirror",
+                "\"diffuse_weight\" 0, \"reflectivity\" 1, \"refl_color\" 1 1 1, "
+                "\"brdf_0_degree_refl\" 1")
+      .plate("black")
+      .square("mirror", Vec3(0, 0, 2), 3, -kUp)
+      .light("lamp",
+             "\"physical_light\" ( \"color\" 9 9 9 ) origin 0 0 1 direction 0 0 1 rectangle "
+             "2 0 0 0 2 0 3 3",
+             "visible on")
+      .camera("focal 1 aperture .1 aspect 1 resolution 24 24",
+              "1 0 0 0  0 1 0 0  0 0 1 0  0 0 -.5 1");
+  const double path = mean_lux(scene, "path");
+  ASSERT_GT(path, 0);
+  for (const char* method : {"fg", "photons", "fg+photons"})
+    EXPECT_NEAR(mean_lux(scene, method), path, .02 * path) << method;
 }
 
 }  // namespace measure_rooms_test
