@@ -199,20 +199,9 @@ void CachedIntegrator::trace(const Camera::Ray& eye, Vec2 raster, float paths_of
   trace_path(world_, eye, raster, settings, record, sampler, counts);
 }
 
-/// Expects no more paths than a noise target needs, so that learning is not more work than the
-/// picture.
-IntegratorPreparation CachedIntegrator::with_needed_paths(IntegratorPreparation p) const {
-  if (!(p.noise > 0) || !learns() || !may_learn(world_, p.paths)) return p;
-  const PilotPaths pilots(world_, p.picture, path_settings(), p.seed, p.counts);
-  const double of_pixel =
-      std::max<double>(pilots.noise_of_path() / sqr(p.noise), kMinJudgedSamples);
-  const double pixels = double(p.picture.width()) * double(p.picture.height());
-  p.paths = std::min(p.paths, of_pixel * pixels);
-  return p;
-}
-
 void CachedIntegrator::prepare(const IntegratorPreparation& given) {
-  const IntegratorPreparation p = with_needed_paths(given);
+  IntegratorPreparation p = given;
+  if (learns()) p.paths = needed_paths(world_, given, path_settings());
   if (plan_.sharp_caustics) trace_sharp_caustics(p);
   if (plan_.global || plan_.caustic) trace_photon_maps(p);
   trace_rarely_found(p);

@@ -64,7 +64,6 @@ class CachedIntegrator final : public Integrator {
   void gather_in_passes(GatherPasses passes, const IntegratorPreparation& p);
   void find_lit_surfaces(const IntegratorPreparation& p);
   bool learns() const;
-  IntegratorPreparation with_needed_paths(IntegratorPreparation p) const;
   void learn(const IntegratorPreparation& p);
   void trace_sharp_caustics(const IntegratorPreparation& p);
   void use_chains();

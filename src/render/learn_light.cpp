@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lights/light_sampler.h"
+#include "render/progressive.h"
 #include "transport/gather/gather_passes.h"
 #include "transport/gather/guide_points.h"
 #include "transport/gather/light_points.h"
@@ -113,6 +114,15 @@ bool LearnedLight::is_valid(const World& world) const {
 
 bool may_learn(const World& world, double paths) {
   return world.options.guiding && paths >= kLeastPaths;
+}
+
+double needed_paths(const World& world, const IntegratorPreparation& p,
+                    const PathSettings& settings) {
+  if (!(p.noise > 0) || !may_learn(world, p.paths)) return p.paths;
+  const PilotPaths pilots(world, p.picture, settings, p.seed, p.counts);
+  const double of_pixel =
+      std::max<double>(pilots.noise_of_path() / sqr(p.noise), kMinJudgedSamples);
+  return std::min(p.paths, of_pixel * p.picture.width() * p.picture.height());
 }
 
 LearnedLight learn_light(const World& world, const IntegratorPreparation& p,

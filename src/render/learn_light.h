@@ -29,6 +29,11 @@ struct LearnedLight {
 
 /// Whether a picture of that many camera paths has enough of them to learn.
 bool may_learn(const World& world, double paths);
+/// Paths of the picture that learning refers to: no more than a noise target needs, by pilot paths,
+/// so that learning is not more work than the picture. Inputs:  settings: of paths that learn.
+/// Checked: GuidedPictures.LearnLittleForANoiseTargetThatIsMetSoon
+double needed_paths(const World& world, const IntegratorPreparation& p,
+                    const PathSettings& settings);
 
 /// Learns at the points of coarse records which lights reach them and from where light comes. A
 /// part is empty if the picture has so few paths that learning costs more than it saves, if pilot
