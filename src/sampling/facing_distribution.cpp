@@ -34,7 +34,11 @@ std::size_t place_of(const Vec3& normal) {
   const float largest =
       std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z), 1e-20f});
   const float scale = kHalf / largest;
-  const auto rounded = [&](float v) { return static_cast<int>(v * scale + kHalf + 0.5f) - kHalf; };
+  // What is not a number counts as -kHalf.
+  const auto rounded = [&](float v) {
+    const float place = v * scale + kHalf + 0.5f;
+    return (place > 0 ? static_cast<int>(std::min(place, 2 * kHalf + 0.5f)) : 0) - kHalf;
+  };
   return place_of(rounded(normal.x), rounded(normal.y), rounded(normal.z));
 }
 
@@ -126,9 +130,9 @@ FacingDistribution::FacingDistribution(std::span<const float> values, std::size_
         const bool is_null = x == 0 && y == 0 && z == 0;
         if (!is_null && std::max({std::abs(x), std::abs(y), std::abs(z)}) < kHalf) continue;
         const Vec3 point(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+        const Vec3 normal = is_null ? point : normalize(point);
         for (std::size_t i = 0; i < means.size(); ++i)
-          seen[i] = static_cast<float>(means[i]) *
-                    (is_null ? 1 : lobe(dot(directions[i], normalize(point))));
+          seen[i] = static_cast<float>(means[i]) * (is_null ? 1 : lobe(dot(directions[i], normal)));
         facing_.set(place_of(x, y, z), seen);
       }
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sampling/octahedral.h"
 #include "sampling/sampler.h"
@@ -65,6 +66,17 @@ TEST(FacingDistribution, SamplesFollowTheDensity) {
       for (std::size_t k = 0; k < drawn.size(); ++k)
         EXPECT_NEAR(drawn[k], expected[k], 4 * std::sqrt(.25 / kDraws)) << normal << k;
     }
+  }
+}
+
+TEST(FacingDistribution, AcceptsNormalsThatAreNoNumbers) {
+  const FacingDistribution distribution(table(kSide), kSide);
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  const float infinite = std::numeric_limits<float>::infinity();
+  for (const Vec3& normal : {Vec3(none), Vec3(0, none, 1), Vec3(infinite, 0, 0), Vec3(1e30f)}) {
+    const auto s = distribution.sample(normal, Vec2(.3f, .6f));
+    EXPECT_LT(s.index, kSide * kSide);
+    EXPECT_FLOAT_EQ(distribution.pdf(normal, s.index), s.pdf);
   }
 }
 
