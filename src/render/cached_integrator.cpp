@@ -95,9 +95,10 @@ bool all_cast_and_receive(const World& world) {
                      [](const InstanceData& i) { return photon_bits(i.visibility, true) == kAll; });
 }
 
-PhotonLookup lookup_of_found_lights(const World& world) {
-  return {.count = kPhotonsOfEstimate,
-          .radius = kRadiusOfEstimate * length(world.accel->bounds().size()) / 2};
+/// The radius follows the space that photons light, not the scene: a room may stand on wide land.
+PhotonLookup lookup_of_found_lights(const World& world, const PhotonMap& map) {
+  const float extent = std::min(map.extent(), length(world.accel->bounds().size()));
+  return {.count = kPhotonsOfEstimate, .radius = kRadiusOfEstimate * extent / 2};
 }
 
 SharpPhotons photons_of_found_lights(const World& world, const IntegratorPreparation& p,
@@ -108,7 +109,7 @@ SharpPhotons photons_of_found_lights(const World& world, const IntegratorPrepara
   settings.depth = world.options.trace_depth;
   settings.merge_caustic = 0;
   PhotonMap map = trace_photons(world, settings, p.counts, nullptr, p.monitor).caustic;
-  const PhotonLookup lookup = lookup_of_found_lights(world);
+  const PhotonLookup lookup = lookup_of_found_lights(world, map);
   map.estimate_at_places(lookup);
   return {std::move(of), std::move(map), lookup};
 }
@@ -436,7 +437,7 @@ void CachedIntegrator::restore_rarely_found(In& in) {
   map.visit_state(in);
   if (!map.is_valid()) throw CheckpointError("its photons are invalid");
   if (map.empty()) return;
-  const PhotonLookup lookup = lookup_of_found_lights(world_);
+  const PhotonLookup lookup = lookup_of_found_lights(world_, map);
   map.estimate_at_places(lookup);
   rarely_found_ = {SharpCaustics(world_, CausticLights::RarelyFound), std::move(map), lookup};
   maps_.rarely_found = &rarely_found_;

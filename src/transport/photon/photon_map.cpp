@@ -160,6 +160,21 @@ bool PhotonMap::is_valid() const {
          });
 }
 
+float PhotonMap::extent() const {
+  if (empty()) return 0;
+  constexpr double kLeftOut = 0.05;
+  const auto first = static_cast<std::size_t>(kLeftOut * static_cast<double>(size()));
+  Vec3 extent(0);
+  std::vector<float> places(size());
+  for (int axis = 0; axis < 3; ++axis) {
+    std::transform(photons().begin(), photons().end(), places.begin(),
+                   [axis](const Photon& p) { return p.position[axis]; });
+    std::sort(places.begin(), places.end());
+    extent[axis] = places[size() - 1 - first] - places[first];
+  }
+  return length(extent) / static_cast<float>(1 - 2 * kLeftOut);
+}
+
 float PhotonMap::radius(const Vec3& position, const Vec3& normal,
                         const PhotonLookup& lookup) const {
   if (empty() || !(lookup.radius > 0)) return 0;

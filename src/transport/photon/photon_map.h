@@ -87,6 +87,9 @@ class PhotonMap {
   /// Whether numbers are finite and directions unit; of a map that was read.
   bool is_valid() const;
 
+  /// Diagonal of the space that photons lie in, without the few that lie apart: of the middle nine
+  /// tenths along each axis, divided by .9.
+  float extent() const;
   /// Irradiance of the side of the surface that `normal` points to. No allocation.
   /// Inputs:  by_light: where to add it by layers of lights, `unknown` that of photons that do not
   ///          know theirs; null = nowhere. found: where to add how many spoke; null = nowhere.

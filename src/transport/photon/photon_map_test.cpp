@@ -55,6 +55,19 @@ TEST(PhotonMap, EstimatesAUniformPlaneByCountAndByRadius) {
     }
 }
 
+TEST(PhotonMap, ExtentIsThatOfMostPhotons) {
+  // Photons all over a box of 3 x 4 x 12, and one in thirty far away.
+  std::vector<Photon> photons(3000);
+  for (std::size_t i = 0; i < photons.size(); ++i) {
+    sampling::Sampler random(static_cast<int>(i), 0, 0);
+    const Vec2 a = random.next_2d(), b = random.next_2d();
+    photons[i].position = Vec3(7 + 3 * a.x, 4 * a.y, 12 * b.x);
+    if (i % 30 == 0) photons[i].position *= 1000;
+  }
+  EXPECT_NEAR(PhotonMap(photons).extent(), 13, .4);
+  EXPECT_EQ(PhotonMap().extent(), 0);
+}
+
 TEST(PhotonMap, CoarseEstimatesKeepTheMean) {
   PhotonMap map(plane(20000));
   // By the radius alone, with few photons in each disc, and by the count.
