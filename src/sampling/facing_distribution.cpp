@@ -26,8 +26,9 @@ float below_one(float v) { return clamp(v, 0.0f, kLargestBelowOne); }
 
 /// The place of a point of the cube, whose coordinates are -kHalf to kHalf.
 std::size_t place_of(int x, int y, int z) {
-  const auto at = [](int i) { return static_cast<std::size_t>(i + kHalf); };
-  return (at(z) * kPoints + at(y)) * kPoints + at(x);
+  constexpr int kSide = kPoints;
+  const int place = ((z + kHalf) * kSide + y + kHalf) * kSide + x + kHalf;
+  return static_cast<std::size_t>(place);
 }
 
 std::size_t place_of(const Vec3& normal) {
