@@ -16,22 +16,25 @@ constexpr float kUniformShare = 0.02f;
 /// where no ray of a lobe finds them.
 constexpr float kPlainShare = 0.2f;
 
-/// A direction by a distribution over cells, or evenly.
-EnvironmentLight::Sample sample_from(const auto& distribution, Vec2 u, const auto& sample,
-                                     const auto& pdf_of) {
+/// A direction by a distribution over cells, or evenly. Inputs:  normal: what the distribution
+/// takes before other arguments; may be nothing.
+EnvironmentLight::Sample sample_from(const auto& distribution, Vec2 u, const auto&... normal) {
   Vec2 uv;
   std::size_t cell = 0;
+  float by_cell = 0;
   if (u.x < kUniformShare) {
     uv = Vec2(u.x / kUniformShare, u.y);
     cell = distribution.cell(uv);
+    by_cell = distribution.pdf(normal..., cell);
   } else {
     u.x = std::min((u.x - kUniformShare) / (1 - kUniformShare), 0x1.fffffep-1f);
-    const auto s = sample(u);
+    const auto s = distribution.sample(normal..., u);
     uv = s.uv;
     cell = s.index;
+    by_cell = s.pdf;
   }
   const Vec3 wi = sampling::octahedral_direction(uv);
-  const float pdf = kUniformShare + (1 - kUniformShare) * pdf_of(cell);
+  const float pdf = kUniformShare + (1 - kUniformShare) * by_cell;
   return {wi, pdf / sampling::octahedral_solid_angle(wi), cell};
 }
 
@@ -70,15 +73,11 @@ EnvironmentLight::EnvironmentLight(const World& world, bool draft) : table_(worl
 }
 
 EnvironmentLight::Sample EnvironmentLight::sample(const Vec3& normal, Vec2 u) const {
-  return sample_from(
-      *standing_out_, u, [&](Vec2 v) { return standing_out_->sample(normal, v); },
-      [&](std::size_t cell) { return standing_out_->pdf(normal, cell); });
+  return sample_from(*standing_out_, u, normal);
 }
 
 EnvironmentLight::Sample EnvironmentLight::sample_alone(Vec2 u) const {
-  return sample_from(
-      *in_proportion_, u, [&](Vec2 v) { return in_proportion_->sample(v); },
-      [&](std::size_t cell) { return in_proportion_->pdf(cell); });
+  return sample_from(*in_proportion_, u);
 }
 
 float EnvironmentLight::pdf(const Vec3& normal, const Vec3& direction, std::size_t cell) const {

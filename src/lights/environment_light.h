@@ -33,8 +33,8 @@ class EnvironmentLight {
     float pdf;         ///< per solid angle
     std::size_t cell;  ///< of the table
   };
-  /// For use with MIS, on a surface: in proportion to radiance times cosine, where directions
-  /// brighter than the mean are sampled more often, since BSDF samples find the rest about as well.
+  /// For MIS with BSDF samples, on a surface: in proportion to radiance times cosine, with more
+  /// samples where the radiance is above its mean. BSDF samples find the rest about as well.
   /// Inputs:  normal: unit; null: lit from everywhere.
   /// Source:  Karlik et al., "MIS Compensation: Optimizing Sampling Techniques in Multiple
   ///          Importance Sampling", ACM TOG 38(6), 2019.

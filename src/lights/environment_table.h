@@ -62,7 +62,8 @@ class EnvironmentTable {
   std::size_t cell_of(const Vec3& direction) const;
 
  private:
-  /// Cells that a lobe covers, so that their means show as much as single points.
+  /// A lobe that covers at least so many cells shows no difference between the means of cells and
+  /// the radiance in single directions.
   static constexpr float kMinCellsOfLobe = 20;
   std::size_t cells() const { return side_ * side_; }
 

@@ -242,16 +242,16 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
 
 IntegratorPreparation RenderSession::preparation(const ProgressMonitor& monitor,
                                                  std::function<void()> after_pass) {
-  return {maps_window_,
-          window_of(world_, std::nullopt),
-          expected_paths(),
-          budget_.every_pixel ? 0 : budget_.noise,
-          seed_,
-          map_files_,
-          diagnostics_,
-          monitor,
-          std::move(after_pass),
-          rays_of_maps_};
+  return {.window = maps_window_,
+          .picture = window_of(world_, std::nullopt),
+          .paths = expected_paths(),
+          .noise = budget_.every_pixel ? 0 : budget_.noise,
+          .seed = seed_,
+          .files = map_files_,
+          .diagnostics = diagnostics_,
+          .monitor = monitor,
+          .after_pass = std::move(after_pass),
+          .counts = rays_of_maps_};
 }
 
 double RenderSession::expected_paths() const {

@@ -5,32 +5,10 @@
 #include <cmath>
 
 #include "base/assert.h"
+#include "sampling/cumulative.h"
 
 namespace oriel::sampling {
 namespace {
-
-constexpr float kBelowOne = 0x1.fffffep-1f;
-
-float usable(float v) { return std::isfinite(v) && v > 0 ? v : 0; }
-
-/// Fills cdf (one longer than values) and returns the sum of the values. In double, because sums of
-/// a million small terms lose precision in float.
-double build_cdf(std::span<const float> values, std::span<float> cdf) {
-  double total = 0;
-  for (const float v : values) total += v;
-  const auto n = static_cast<double>(values.size());
-  double sum = 0;
-  cdf[0] = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    sum += total > 0 ? values[i] / total : 1 / n;
-    cdf[i + 1] = static_cast<float>(std::min(sum, 1.0));
-  }
-  // Set everything after the last cell with weight to exactly 1, so that no u below 1 selects it.
-  std::size_t last = values.size();
-  while (total > 0 && last > 1 && values[last - 1] == 0) --last;
-  for (std::size_t i = last; i <= values.size(); ++i) cdf[i] = 1;
-  return total;
-}
 
 /// Fills guide (as long as the cdf has cells) with the cell of each multiple of 1 / cells.
 void build_guide(std::span<const float> cdf, std::span<std::uint32_t> guide) {
@@ -61,11 +39,6 @@ Cell find_cell(std::span<const float> cdf, std::span<const std::uint32_t> guide,
   return {index, clamp(inside, 0.0f, kBelowOne)};
 }
 
-std::size_t cell_of(float x, std::size_t count) {
-  const float i = clamp01(x) * static_cast<float>(count);
-  return std::min(static_cast<std::size_t>(i), count - 1);
-}
-
 float position(const Cell& cell, std::size_t count) {
   const float x = (static_cast<float>(cell.index) + cell.u) / static_cast<float>(count);
   return std::min(x, kBelowOne);
@@ -77,7 +50,7 @@ Distribution1D::Distribution1D(std::span<const float> values)
     : values_(values.size()), cdf_(values.size() + 1), guide_(values.size()) {
   ORIEL_ASSERT(!values.empty());
   std::transform(values.begin(), values.end(), values_.begin(), usable);
-  const double total = build_cdf(values_, cdf_);
+  const double total = build_cdf<float>(values_, cdf_);
   build_guide(cdf_, guide_);
   integral_ = static_cast<float>(total / static_cast<double>(values_.size()));
   if (!(integral_ > 0)) std::fill(values_.begin(), values_.end(), 1.0f);
@@ -109,11 +82,11 @@ Distribution2D::Distribution2D(std::span<const float> values, std::size_t width,
   std::vector<float> row_means(height);
   for (std::size_t y = 0; y < height; ++y) {
     const auto cdf = std::span(row_cdf_).subspan(y * (width + 1), width + 1);
-    const double total = build_cdf(std::span(values_).subspan(y * width, width), cdf);
+    const double total = build_cdf<float>(std::span(values_).subspan(y * width, width), cdf);
     build_guide(cdf, std::span(row_guide_).subspan(y * width, width));
     row_means[y] = static_cast<float>(total / static_cast<double>(width));
   }
-  const double total = build_cdf(row_means, marginal_);
+  const double total = build_cdf<float>(row_means, marginal_);
   build_guide(marginal_, marginal_guide_);
   integral_ = static_cast<float>(total / static_cast<double>(height));
   if (!(integral_ > 0)) std::fill(values_.begin(), values_.end(), 1.0f);

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "base/assert.h"
+#include "sampling/cumulative.h"
 #include "sampling/octahedral.h"
 
 namespace oriel::sampling {
@@ -20,9 +21,8 @@ constexpr int kHalf = 2;
 /// Share of a lobe that reaches kBeyond (as a cosine) behind the surface: a normal is up to 20
 /// degrees beside its rounded one, and a block is 5 degrees wide.
 constexpr float kWideShare = 0.15f, kBeyond = 0.45f;
-constexpr float kLargestBelowOne = 0x1.fffffep-1f;
 
-float below_one(float v) { return clamp(v, 0.0f, kLargestBelowOne); }
+float below_one(float v) { return clamp(v, 0.0f, kBelowOne); }
 
 /// The place of a point of the cube, whose coordinates are -kHalf to kHalf.
 std::size_t place_of(int x, int y, int z) {
@@ -48,23 +48,6 @@ float lobe(float cosine) {
          kWideShare / (1 + kBeyond) * std::max(0.0f, cosine + kBeyond);
 }
 
-/// Sums of values from 0 to 1; uniform without any. Returns the sum of all. In double, since float
-/// loses small values beside large ones.
-double accumulate_shares(std::span<const double> values, float* sums) {
-  double total = 0, sum = 0;
-  for (const double v : values) total += v;
-  sums[0] = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    sum += total > 0 ? values[i] / total : 1 / static_cast<double>(values.size());
-    sums[i + 1] = static_cast<float>(std::min(sum, 1.0));
-  }
-  // Nothing after the last value above 0, so that no number below 1 chooses it.
-  std::size_t last = values.size();
-  while (total > 0 && last > 1 && !(values[last - 1] > 0)) --last;
-  std::fill(sums + last, sums + values.size() + 1, 1.0f);
-  return total;
-}
-
 struct Interval {
   std::size_t index;
   float inside, width;
@@ -82,15 +65,13 @@ Interval find_interval(const float* sums, std::size_t count, float u) {
 }  // namespace
 
 double FacingDistribution::Squares::set(std::size_t square, std::span<const float> values) {
-  std::vector<double> rows(count_), row(count_);
+  std::vector<double> rows(count_);
+  std::vector<float> row(count_);
   for (std::size_t y = 0; y < count_; ++y) {
-    for (std::size_t x = 0; x < count_; ++x) {
-      const float v = values[y * count_ + x];
-      row[x] = std::isfinite(v) && v > 0 ? static_cast<double>(v) : 0;
-    }
-    rows[y] = accumulate_shares(row, &sums_[row_of(square, y + 1)]);
+    for (std::size_t x = 0; x < count_; ++x) row[x] = usable(values[y * count_ + x]);
+    rows[y] = build_cdf<float>(row, sums_of(square, y + 1));
   }
-  return accumulate_shares(rows, &sums_[row_of(square, 0)]) / static_cast<double>(count_ * count_);
+  return build_cdf<double>(rows, sums_of(square, 0)) / static_cast<double>(count_ * count_);
 }
 
 FacingDistribution::Squares::Choice FacingDistribution::Squares::choose(std::size_t square,
@@ -157,10 +138,7 @@ float FacingDistribution::pdf(const Vec3& normal, std::size_t cell) const {
 }
 
 std::size_t FacingDistribution::cell(const Vec2& uv) const {
-  const auto at = [&](float v) {
-    return std::min(static_cast<std::size_t>(clamp01(v) * static_cast<float>(side())), side() - 1);
-  };
-  return (at(uv.y) << side_bits_) + at(uv.x);
+  return (cell_of(uv.y, side()) << side_bits_) + cell_of(uv.x, side());
 }
 
 }  // namespace oriel::sampling

@@ -15,7 +15,8 @@ namespace oriel::sampling {
 /// Model:   normals are rounded to 98 directions, on a cube with 5 x 5 points on each side: those
 ///          along and between the axes are exact. Blocks of cells are chosen in proportion to their
 ///          sum times a cosine lobe around the rounded normal, and cells in proportion to their
-///          value. The lobe is a little wider than a hemisphere, for the normals that were rounded.
+///          value. The cosine lobe reaches a little behind the surface, since the exact normal
+///          differs from the rounded one.
 /// Inputs:  values, row after row, side x side, a power of two; negative and non-finite ones count
 ///          as 0, and a table of zeros is uniform. Normals are unit, or null for points that are
 ///          lit from everywhere.
@@ -57,6 +58,9 @@ class FacingDistribution {
 
    private:
     // Of each square: those of the rows, then those within each row, from 0 to 1.
+    std::span<float> sums_of(std::size_t square, std::size_t i) {
+      return std::span(sums_).subspan(row_of(square, i), count_ + 1);
+    }
     std::size_t row_of(std::size_t square, std::size_t i) const {
       return (square * (count_ + 1) + i) * (count_ + 1);
     }

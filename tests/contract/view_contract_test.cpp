@@ -83,6 +83,7 @@ TEST_P(EnvironmentContract, DirectionsFollowTheDensity) {
       const auto drawn = sky.sample(normal, s.next_2d());
       ASSERT_NEAR(length(drawn.wi), 1, 1e-4);
       ASSERT_NEAR(sky.pdf(normal, drawn.wi, drawn.cell) / drawn.pdf, 1, 1e-4);
+      ASSERT_NEAR(pdf_of(drawn.wi) / drawn.pdf, 1, 0.5) << "a texel's border at most";
       double phi = std::atan2(double{drawn.wi.y}, double{drawn.wi.x});
       if (phi < 0) phi += 2 * kPiDouble;
       const int x = std::min(kColumns - 1, static_cast<int>(phi / (2 * kPiDouble) * kColumns));

@@ -63,21 +63,18 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& i) { return std::string(i.param.name); });
 
 /// A box of so many pixels that its paths are guided.
-std::string large_box(const std::string& options) {
+std::string large_box(const std::string& options, int side = 96) {
   SceneText scene = start(options);
   room(scene);
   ceiling_light(scene);
   std::string text = scene.str();
   const std::string small = "resolution 40 40";
-  text.replace(text.find(small), small.size(), "resolution 96 96");
+  text.replace(text.find(small), small.size(), fmt::format("resolution {0} {0}", side));
   return text;
 }
 
 TEST(GuidedPictures, LearnLittleForANoiseTargetThatIsMetSoon) {
-  std::string scene = large_box("\"indirect\" \"path\"");
-  const std::string size = "resolution 96 96";
-  scene.replace(scene.find(size), size.size(), "resolution 160 160");
-  const Probe probe(scene);
+  const Probe probe(large_box("\"indirect\" \"path\"", 160));
   const auto rays_before = [&](float noise) {
     RenderSession session(probe.world(), {.budget = {.noise = noise}});
     session.prepare();

@@ -39,7 +39,7 @@ class PilotPaths {
   /// `others` relative to these. Inputs:  others: of the same window, seed and number of pixels.
   /// Returns: 1 without any light.
   PilotComparison compare(const PilotPaths& others) const;
-  /// Squared relative noise of one path of a pixel.
+  /// Squared noise of a pixel that has one path, relative to its light; mean over the pixels.
   double noise_of_path() const;
 
  private:

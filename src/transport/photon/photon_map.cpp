@@ -169,8 +169,12 @@ float PhotonMap::extent() const {
   for (int axis = 0; axis < 3; ++axis) {
     std::transform(photons().begin(), photons().end(), places.begin(),
                    [axis](const Photon& p) { return p.position[axis]; });
-    std::sort(places.begin(), places.end());
-    extent[axis] = places[size() - 1 - first] - places[first];
+    const auto at = [&](std::size_t i) { return places.begin() + static_cast<std::ptrdiff_t>(i); };
+    const std::size_t last = size() - 1 - first;
+    std::nth_element(places.begin(), at(first), places.end());
+    const float low = places[first];
+    std::nth_element(at(first), at(last), places.end());
+    extent[axis] = places[last] - low;
   }
   return length(extent) / static_cast<float>(1 - 2 * kLeftOut);
 }
