@@ -52,7 +52,7 @@ def transparent_shadows(tree, node, glass, ior):
     return choice
 
 
-def node_material(name, m):
+def node_material(name, m, pictures):
     material = bpy.data.materials.new(name)
     material.use_nodes = True
     tree = material.node_tree
@@ -66,8 +66,17 @@ def node_material(name, m):
         for key, value in values.items():
             made.inputs[key].default_value = value
         return made
-    if m["kind"] == "diffuse":
+
+    def diffuse():
         surface = node("ShaderNodeBsdfDiffuse", m["diffuse"])
+        if "picture" in m:
+            picture = node("ShaderNodeTexImage")
+            picture.image = bpy.data.images.load(pictures[m["picture"]])
+            picture.image.colorspace_settings.name = "Raw"
+            tree.links.new(picture.outputs["Color"], surface.inputs["Color"])
+        return surface
+    if m["kind"] == "diffuse":
+        surface = diffuse()
     elif m["kind"] == "metal":
         surface = node("ShaderNodeBsdfGlossy", m["colour"], Roughness=m["roughness"])
         surface.distribution = "MULTI_GGX"
@@ -85,7 +94,7 @@ def node_material(name, m):
         surface = node("ShaderNodeMixShader")
         fresnel = node("ShaderNodeFresnel", IOR=1.5)
         tree.links.new(fresnel.outputs[0], surface.inputs[0])
-        tree.links.new(node("ShaderNodeBsdfDiffuse", m["diffuse"]).outputs[0], surface.inputs[1])
+        tree.links.new(diffuse().outputs[0], surface.inputs[1])
         tree.links.new(coat.outputs[0], surface.inputs[2])
     tree.links.new(surface.outputs[0], out.inputs["Surface"])
     return material
@@ -181,11 +190,15 @@ def build(scene, probe, profile, sun_colour):
         picture = world.node_tree.nodes.new("ShaderNodeTexEnvironment")
         picture.image = bpy.data.images.load(probe)
         world.node_tree.links.new(picture.outputs[0], background.inputs["Color"])
-    materials = {n: node_material(n, m) for n, m in scene["materials"].items()}
+    materials = {n: node_material(n, m, scene.get("pictures")) for n, m in scene["materials"].items()}
     for i, m in enumerate(scene["meshes"]):
         data = bpy.data.meshes.new(f"mesh{i}")
         data.from_pydata([up(v) for v in m["vertices"]], [], m["faces"])
         data.materials.append(materials[m["material"]])
+        if "uvs" in m:
+            layer = data.uv_layers.new()
+            for corner in data.loops:
+                layer.data[corner.index].uv = m["uvs"][corner.vertex_index]
         if "normals" in m:
             data.polygons.foreach_set("use_smooth", [True] * len(m["faces"]))
         add(f"mesh{i}", data)
@@ -232,6 +245,7 @@ def main():
         a = json.load(f)
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = catalogue.SCENES[a["scene"]]()
+    scene["pictures"] = a["pictures"]
     build(scene, a["probe"], a["profile"], a["sun"])
     settings(scene, 1, a["seed"], a["threads"], 0)
     # A first picture of one sample loads the scene, which stays for the second picture.

@@ -32,6 +32,9 @@ import sys
 import tempfile
 import time
 
+import numpy
+import OpenImageIO as oiio
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 import catalogue  # noqa: E402  beside this file
@@ -47,11 +50,21 @@ class Oriel:
         self.file, self.out = (os.path.join(folder, f) for f in (name + ".mi", "oriel.exr"))
         self.probe, self.profile, self.sun = args.probe, os.path.join(folder, "profile.ies"), None
         scene = catalogue.SCENES[name]()
+        scene["pictures"] = self.pictures = {n: self.paint(n, base, folder) for n, base in
+                                             scene.get("pictures", {}).items()}
         if "profile" in scene:
             mi_scene.write_profile(self.profile, scene["profile"])
         if "sky" in scene:
             self.probe, self.sun = self.measure_sky(scene["sky"], folder)
         mi_scene.write(scene, self.file, self.probe, self.profile)
+
+    @staticmethod
+    def paint(name, base, folder):
+        """A picture of 2048 x 2048 pixels with grain around the colour."""
+        grain = numpy.random.default_rng(len(name)).uniform(.5, 1.5, (2048, 2048, 1))
+        path = os.path.join(folder, name + ".png")
+        oiio.ImageBuf((grain * base).clip(0, 1).astype(numpy.float32)).write(path, oiio.UINT8)
+        return path
 
     def measure_sky(self, sky, folder):
         """The physical sky as a picture for Cycles, and the colour that its sun gives to white."""
@@ -88,7 +101,7 @@ class Cycles:
         self.noise, self.out = args.adaptive, os.path.join(folder, "cycles.exr")
         self.file = os.path.join(folder, "cycles.json")
         self.fixed = {"scene": name, "probe": oriel.probe, "profile": oriel.profile,
-                      "sun": oriel.sun, "out": self.out}
+                      "sun": oriel.sun, "pictures": oriel.pictures, "out": self.out}
 
     def render(self, samples, seed, threads=1, method="path", adaptive=True):
         del method

@@ -141,3 +141,22 @@ def loft():
     portal = {"kind": "portal", "centre": (-.5, 1.5, -2.0), "across": (2.6, 0, 0), "up": (0, 1.4, 0)}
     return {"meshes": meshes, "materials": {**materials(*DIFFUSE), **rest}, "lights": [sun, portal],
             "background": 2.0, "camera": camera((2.7, 1.5, 1.85), (-.9, .9, -.7), 1.5)}
+
+
+def with_places(mesh):
+    """Texture coordinates of a picture of 1 m on slanted planes."""
+    mesh["uvs"] = [(x + .37 * y + .11 * z, z + .43 * y + .05 * x) for x, y, z in mesh["vertices"]]
+    return mesh
+
+
+def papered():
+    """A furnished room in which every surface has a picture, under sun and sky."""
+    meshes = shell(2.6, 2.6, 2.0, (-1.5, .8, .8, 2.2)) + furniture(random.Random(8))
+    surfaces = materials(*DIFFUSE)
+    surfaces["floor"] = {"kind": "plastic", "diffuse": DIFFUSE["floor"], "roughness": .4}
+    for name, m in surfaces.items():
+        m["picture"] = name + "_paper"
+    sun = {"kind": "sun", "direction": (.35, -.6, .7), "albedo_one": 8.0}
+    return {"meshes": [with_places(m) for m in meshes], "materials": surfaces, "lights": [sun],
+            "pictures": {name + "_paper": DIFFUSE[name] for name in surfaces},
+            "background": 2.0, "camera": camera((2.3, 1.5, 1.8), (-.9, .9, -.7), 1.5)}

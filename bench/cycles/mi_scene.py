@@ -67,6 +67,9 @@ def material(m):
                   "refl_gloss": 1.0, "diffuse_weight": 0.0, "brdf_fresnel": True,
                   "refr_color": (1, 1, 1), "refl_color": (1, 1, 1),
                   "do_refractive_caustics": not m["straight"], "skip_inside_refl": False})
+    if "picture" in m:
+        p["diffuse"] = f'= "{m["picture"]}_look_up"'
+
     def text(v):
         if isinstance(v, bool):
             return "on" if v else "off"
@@ -80,8 +83,13 @@ def mesh(f, name, m):
     normals = m.get("normals")
     if normals:
         f.writelines(numbers(*v) + "\n" for v in normals)
+    uvs = m.get("uvs")
+    if uvs:
+        f.writelines(numbers(*uv, 0) + "\n" for uv in uvs)
     count = len(m["vertices"])
-    f.writelines(f"v {i} n {i + count}\n" if normals else f"v {i}\n" for i in range(count))
+    for i in range(count):
+        normal = f" n {i + count}" if normals else ""
+        f.write(f"v {i}{normal}" + (f" t {i + count * (2 if normals else 1)}" if uvs else "") + "\n")
     f.writelines("p " + " ".join(map(str, face)) + "\n" for face in m["faces"])
     f.write(f' end group\nend object\ninstance "{name}_i" "{name}" material "{m["material"]}" '
             'end instance\n')
@@ -188,6 +196,13 @@ def write(scene, path, probe, profile):
                                caustic="on" if refracts else "off"))
         if "profile" in scene:
             f.write(f'lightprofile "profile" format ies file "{profile}" hermite 3 end lightprofile\n')
+        for name, picture in scene.get("pictures", {}).items():
+            f.write(f'color texture "{name}" "{picture}"\n'
+                    f'shader "{name}_place" "mib_texture_vector" ( "select" 0 )\n'
+                    f'shader "{name}_tile" "mib_texture_remap" ( "input" = "{name}_place", '
+                    '"torus_x" on, "torus_y" on )\n'
+                    f'shader "{name}_look_up" "mib_texture_lookup" ( "tex" "{name}", '
+                    f'"coord" = "{name}_tile" )\n')
         for name, m in scene["materials"].items():
             # A material without shadow shader has opaque shadows, and paths refract light in it.
             shadow = f'shadow = "{name}_s" ' if m.get("straight") else ""
