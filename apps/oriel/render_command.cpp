@@ -229,8 +229,10 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
   add_checkpoint_options(*app, *a);
   add_farm_options(*app, *a);
   app->add_option("--seed", a->seed, "Random seed (default 0)");
-  app->add_option("--texture-cache", a->texture_cache,
-                  "Texture cache size in MB (default 1024, minimum 16)")
+  app->add_option(
+         "--texture-cache", a->texture_cache,
+         "Memory for textures in MB: three quarters for pictures that are kept whole, the rest for "
+         "tiles of the others (default 4096, minimum 16)")
       ->type_name("MB");
   app->add_flag("--isolate-readers", a->isolate_readers,
                 "Decode image files in confined processes, for scenes of unknown origin");

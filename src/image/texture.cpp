@@ -24,7 +24,9 @@ bool is_pattern(const std::string& path) {
                      [&](std::string_view mark) { return path.find(mark) != path.npos; });
 }
 
-constexpr float kDefaultCacheMegabytes = 1024;  // about eighty 2048 x 2048 8-bit RGB pictures
+/// About forty 2048 x 2048 8-bit RGB pictures, and the tile cache.
+constexpr float kDefaultCacheMegabytes = 4096;
+constexpr float kKeptShare = 0.75f, kBytesOfMegabyte = 1 << 20;
 std::atomic<float> cache_megabytes{kDefaultCacheMegabytes};
 std::atomic<bool> has_module{false};
 
@@ -45,7 +47,7 @@ TextureSystem::Entry& TextureSystem::opened_entry(const std::string& path, float
       FilesModule& module = files_module();
       has_module = true;
       module.set_source_opener(readers_are_isolated() ? open_isolated : PixelSourceOpener());
-      module.set_cache_megabytes(cache_megabytes);
+      module.set_cache_megabytes(cache_megabytes * (1 - kKeptShare));
       entry.texture = module.open_texture(path, gamma, most_tile_bytes);
     } catch (const std::exception& e) {
       entry.message = "cannot open texture '" + path + "': " + e.what();
@@ -60,6 +62,14 @@ TextureSystem::Opened TextureSystem::open(const std::string& path, float gamma,
   Entry& entry = opened_entry(path, gamma, most_tile_bytes);
   const std::lock_guard lock(mutex_);
   const bool first = !std::exchange(entry.reported, true);
+  if (first && entry.texture) {
+    const std::uint64_t bytes = entry.texture->bytes_to_keep();
+    const auto most = static_cast<std::uint64_t>(cache_megabytes * kKeptShare * kBytesOfMegabyte);
+    if (bytes > 0 && kept_bytes_ + bytes <= most) {
+      kept_bytes_ += bytes;
+      entry.texture->keep_pixels();
+    }
+  }
   return {entry.texture.get(), first ? entry.message : std::string()};
 }
 

@@ -27,10 +27,9 @@ enum class Wrap : std::uint8_t {
   Mirror,    ///< repeats, every second copy mirrored
 };
 
-enum class Interpolation : std::uint8_t { Nearest, Bilinear, Bicubic };
+enum class Interpolation : std::uint8_t { Nearest, Bilinear };
 
-/// Filter settings. `Bicubic` has an effect where the texture is magnified; textures in memory use
-/// Bilinear instead.
+/// Filter settings.
 struct TextureSampling {
   Wrap wrap_u = Wrap::Periodic;
   Wrap wrap_v = Wrap::Periodic;
@@ -55,9 +54,11 @@ class Texture {
   virtual Rgba sample(const Vec2& uv, const TextureFootprint& footprint,
                       const TextureSampling& how) const = 0;
 
-  /// Keeps the pixels of a file decoded in memory, unless they are too many: bilinear lookups
-  /// without footprint are then several times faster. For pictures of environments. Not
-  /// thread-safe. Checked: FileTexture.KeptPixelsGiveTheSameValues
+  /// Memory that keep_pixels() will take; 0 if there is nothing to keep.
+  virtual std::uint64_t bytes_to_keep() const { return 0; }
+  /// From its first lookup on, keeps a file decoded in memory: lookups are several times faster
+  /// than by the tile cache, and a file without tiles is decoded once. Not thread-safe. Checked:
+  /// FileTexture.KeptPixelsGiveTheSameValues
   virtual void keep_pixels() {}
 
   /// Scalar lookup: the mean of R, G and B.
@@ -90,8 +91,9 @@ std::unique_ptr<Texture> make_memory_texture(int width, int height, int componen
                                              std::span<const std::uint8_t> bytes, float gamma = 1,
                                              RowOrder order = RowOrder::BottomUp);
 
-/// The file textures of one world. Each (path, gamma) is opened once. All systems share one tile
-/// cache.
+/// The file textures of one world. Each (path, gamma) is opened once. Pictures are kept in memory
+/// in the order of open(), up to three quarters of the cache; those beyond it share the tile cache,
+/// which all systems have together.
 class TextureSystem {
  public:
   struct Opened {
@@ -111,8 +113,8 @@ class TextureSystem {
   /// opened at the same time.
   void open_ahead(const std::string& path, float gamma, std::uint64_t most_tile_bytes);
 
-  /// Size of the tile cache in MB (default 1024, minimum 16), shared by all systems of the process.
-  /// Takes effect when the next texture is opened.
+  /// Memory in MB of kept pictures and of the tile cache (default 1024, minimum 16). Takes effect
+  /// when the next texture is opened.
   static void set_cache_megabytes(float megabytes);
 
  private:
@@ -126,6 +128,7 @@ class TextureSystem {
 
   std::mutex mutex_;
   std::map<std::pair<std::string, float>, Entry> textures_;
+  std::uint64_t kept_bytes_ = 0;
 };
 
 }  // namespace oriel

@@ -37,9 +37,11 @@ class TextureNode {
   /// Size in pixels; 0 if it is procedural or missing.
   int width() const { return texture_ ? texture_->width() : 0; }
   int height() const { return texture_ ? texture_->height() : 0; }
-  /// See Texture::keep_pixels().
+  /// Keeps the picture in memory, even if the budget of textures is used up, but not one that is
+  /// far too large: for environments. See Texture::keep_pixels().
   void keep_pixels() {
-    if (texture_) texture_->keep_pixels();
+    constexpr std::uint64_t kMostBytes = std::uint64_t{128} << 20;  // 4096 x 2048 floats of RGB
+    if (texture_ && texture_->bytes_to_keep() <= kMostBytes) texture_->keep_pixels();
   }
   /// The texel at uv, unfiltered; outside of the picture, that of its border.
   Rgba texel(const Vec2& uv) const;

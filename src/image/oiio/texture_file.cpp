@@ -12,8 +12,10 @@
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
-#include "image/oiio/kept_pixels.h"
+#include "image/mip_pyramid.h"
+#include "image/oiio/read_picture.h"
 #include "image/oiio/texture_input.h"
 #include "image/texture_wrap.h"
 
@@ -106,49 +108,54 @@ OIIO::TextureOpt::InterpMode interpolation_of(Interpolation mode) {
   switch (mode) {
     case Interpolation::Nearest:
       return OIIO::TextureOpt::InterpClosest;
-    case Interpolation::Bicubic:
-      return OIIO::TextureOpt::InterpSmartBicubic;
     case Interpolation::Bilinear:
       break;
   }
   return OIIO::TextureOpt::InterpBilinear;
 }
 
+/// Memory of the pictures that are kept.
+std::atomic<std::int64_t> kept_bytes{0};
+
+/// Whether the pixels fill the picture.
+bool is_whole(const PixelLevel& l) {
+  return l.x == 0 && l.y == 0 && l.width == l.full_width && l.height == l.full_height &&
+         l.full_x == 0 && l.full_y == 0;
+}
+
 class TextureFile final : public Texture {
  public:
-  TextureFile(OIIO::ustring name, System::TextureHandle* handle, const PixelLevel& level)
-      : name_(name), handle_(handle) {
+  /// Inputs:  gamma: 1 for pictures that are not decoded; has_levels: the file has coarser levels,
+  /// which the tile cache reads.
+  TextureFile(std::string path, float gamma, System::TextureHandle* handle, const PixelLevel& level,
+              bool has_levels)
+      : path_(std::move(path)), gamma_(gamma), handle_(handle), level_(level) {
     width_ = level.full_width;
     height_ = level.full_height;
     channels_ = level.channels;
     read_ = std::min(channels_, 4);
-    whole_ = level.x == 0 && level.y == 0 && level.width == width_ && level.height == height_ &&
-             level.full_x == 0 && level.full_y == 0;
+    may_keep_ = is_whole(level) && !has_levels;
   }
+  ~TextureFile() override {
+    if (kept_) kept_bytes -= static_cast<std::int64_t>(bytes_to_keep());
+  }
+  TextureFile(const TextureFile&) = delete;
+  TextureFile& operator=(const TextureFile&) = delete;
 
-  void keep_pixels() override {
-    const std::size_t values = static_cast<std::size_t>(width_) *
-                               static_cast<std::size_t>(height_) * static_cast<std::size_t>(read_);
-    if (kept_ || !whole_ || values * sizeof(float) > KeptPixels::kMostBytes) return;
-    std::vector<float> pixels(values);
-    const auto turn = open_files().turn();
-    if (!system().imagecache()->get_pixels(name_, 0, 0, 0, width_, 0, height_, 0, 1, 0, read_,
-                                           OIIO::TypeDesc::FLOAT, pixels.data())) {
-      failed();
-      return;
-    }
-    kept_ = std::make_unique<KeptPixels>(width_, height_, read_, std::move(pixels));
+  std::uint64_t bytes_to_keep() const override {
+    return may_keep_ ? MipPyramid::bytes_of(format()) : 0;
   }
+  void keep_pixels() override { keeps_ = may_keep_; }
 
   Rgba sample(const Vec2& uv, const TextureFootprint& footprint,
               const TextureSampling& how) const override {
     const auto u = wrapped(uv.x, how.wrap_u), v = wrapped(uv.y, how.wrap_v);
     if (!u || !v) return Rgba(0, 0, 0, 0);
-    float c[4] = {0, 0, 0, 0};
-    if (kept_ && how.interpolation == Interpolation::Bilinear && footprint.is_null()) {
-      kept_->sample(*u, 1 - *v, how.wrap_u, how.wrap_v, read_, c);
-      return color_of(c);
+    if (keeps_) {
+      std::call_once(once_, [this] { read(); });
+      return kept_ ? kept_->sample(*u, *v, footprint, how) : Rgba(1, 0, 1, 1);
     }
+    float c[4] = {0, 0, 0, 0};
     OIIO::TextureOpt options;
     options.swrap = wrap_of(how.wrap_u);
     options.twrap = wrap_of(how.wrap_v);
@@ -163,7 +170,7 @@ class TextureFile final : public Texture {
         handle_, perthread(), options, *u, 1 - *v, bounded_derivative(footprint.dx.x),
         -bounded_derivative(footprint.dx.y), bounded_derivative(footprint.dy.x),
         -bounded_derivative(footprint.dy.y), read_, c);
-    return good ? color_of(c) : failed();
+    return good ? color_of_channels(c, read_) : failed();
   }
 
   std::string error() const override {
@@ -172,34 +179,44 @@ class TextureFile final : public Texture {
   }
 
  private:
-  Rgba color_of(const float* c) const {
-    switch (read_) {
-      case 1:
-        return Rgba(c[0], c[0], c[0], 1);
-      case 2:
-        return Rgba(c[0], c[0], c[0], c[1]);
-      case 3:
-        return Rgba(c[0], c[1], c[2], 1);
-      default:
-        return Rgba(c[0], c[1], c[2], c[3]);
+  PictureFormat format() const {
+    return {.width = width_,
+            .height = height_,
+            .channels = read_,
+            .alpha_channel = level_.alpha_channel,
+            .bytes = level_.type == OIIO::TypeDesc::UINT8,
+            .gamma = gamma_};
+  }
+
+  void read() const {
+    try {
+      kept_ = read_picture(path_, level_, format());
+      kept_bytes += static_cast<std::int64_t>(bytes_to_keep());
+    } catch (const std::exception& e) {
+      fail(e.what());
     }
+  }
+
+  void fail(std::string message) const {
+    if (failed_.exchange(true, std::memory_order_relaxed)) return;
+    const std::lock_guard lock(mutex_);
+    error_ = message.empty() ? "its pixels cannot be read" : std::move(message);
   }
 
   Rgba failed() const {
     // geterror() also clears the message; otherwise each lookup would append to it.
-    std::string message = system().geterror();
-    if (!failed_.exchange(true, std::memory_order_relaxed)) {
-      const std::lock_guard lock(mutex_);
-      error_ = message.empty() ? "its pixels cannot be read" : std::move(message);
-    }
+    fail(system().geterror());
     return Rgba(1, 0, 1, 1);
   }
 
-  OIIO::ustring name_;
+  std::string path_;
+  float gamma_;
   System::TextureHandle* handle_;
+  PixelLevel level_;
   int read_;
-  bool whole_;  ///< the pixels fill the picture
-  std::unique_ptr<KeptPixels> kept_;
+  bool may_keep_, keeps_ = false;
+  mutable std::once_flag once_;
+  mutable std::unique_ptr<const MipPyramid> kept_;
   mutable std::atomic<bool> failed_{false};
   mutable std::mutex mutex_;
   mutable std::string error_;
@@ -236,19 +253,21 @@ std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma,
   const std::unique_ptr<PixelSource> source = open_source(path);
   PixelLevel level;
   if (!source->level(0, 0, level)) throw std::runtime_error(source->error());
+  PixelLevel coarser;
+  const bool has_levels = source->level(0, 1, coarser);
   check_size(level.width, level.height, level.channels);
   check_size(level.full_width, level.full_height, 1);
   check_tiles(level, most_tile_bytes);
 
   const bool decodes = gamma > 0 && gamma != 1 && is_integer(level.type);
+  if (!decodes) gamma = 1;
   OIIO::ImageSpec config;
   config.attribute("oriel:path", path);
-  config.attribute("oriel:gamma", decodes ? gamma : 1.0f);
+  config.attribute("oriel:gamma", gamma);
   // The time stamp in the name makes a modified file a different texture. All files have this
   // reader, because the cache would try every format that the image library knows.
-  const auto name =
-      OIIO::ustring::fmtformat("{}?oriel_gamma={}&time={}", path, decodes ? gamma : 1.0f,
-                               OIIO::Filesystem::last_write_time(path));
+  const auto name = OIIO::ustring::fmtformat("{}?oriel_gamma={}&time={}", path, gamma,
+                                             OIIO::Filesystem::last_write_time(path));
   system().imagecache()->add_file(name, make_texture_input, &config);
   open_files().add(name);
   const auto turn = open_files().turn();
@@ -257,7 +276,7 @@ std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma,
     const std::string why = system().geterror();
     throw std::runtime_error(why.empty() ? "the image library cannot use it as a texture" : why);
   }
-  return std::make_unique<TextureFile>(name, handle, level);
+  return std::make_unique<TextureFile>(path, gamma, handle, level, has_levels);
 }
 
 void set_cache_megabytes(float megabytes) {
@@ -276,7 +295,7 @@ TextureStatistics texture_statistics() {
           .tile_requests = number("stat:find_tile_calls"),
           .tile_misses = number("stat:find_tile_cache_misses"),
           .bytes_read = number("stat:bytes_read"),
-          .bytes_held = number("stat:cache_memory_used")};
+          .bytes_held = number("stat:cache_memory_used") + kept_bytes};
 }
 
 }  // namespace oriel::oiio

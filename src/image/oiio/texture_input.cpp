@@ -124,10 +124,7 @@ class TextureInput final : public OIIO::ImageInput {
     decoded_.resize(values);
     OIIO::convert_pixel_values(type_of_level(level_), stored_.data(), OIIO::TypeDesc::FLOAT,
                                decoded_.data(), static_cast<int>(values));
-    const int n = m_spec.nchannels;
-    for (std::size_t i = 0; i < values; ++i)
-      if (static_cast<int>(i % static_cast<std::size_t>(n)) != m_spec.alpha_channel)
-        decoded_[i] = decoded_[i] > 0 ? math::pow(decoded_[i], gamma_) : 0.0f;
+    decode(decoded_, m_spec.nchannels, m_spec.alpha_channel, gamma_);
     return OIIO::convert_pixel_values(OIIO::TypeDesc::FLOAT, decoded_.data(), m_spec.format, data,
                                       static_cast<int>(values));
   }
@@ -159,5 +156,13 @@ std::unique_ptr<PixelSource> open_source(const std::string& path) {
 }
 
 bool is_integer(int base_type) { return base_type < OIIO::TypeDesc::HALF; }
+
+void decode(std::span<float> values, int channels, int alpha_channel, float gamma) {
+  int channel = 0;
+  for (float& v : values) {
+    if (channel != alpha_channel) v = v > 0 ? math::pow(v, gamma) : 0.0f;
+    if (++channel == channels) channel = 0;
+  }
+}
 
 }  // namespace oriel::oiio

@@ -4,6 +4,8 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <span>
+
 #include "image/pixel_source.h"
 
 namespace oriel::oiio {
@@ -22,5 +24,7 @@ void set_source_opener(PixelSourceOpener opener);
 std::unique_ptr<PixelSource> open_source(const std::string& path);
 
 bool is_integer(int base_type);
+/// Values of integer pixels, 0 to 1, to value^gamma, except alpha.
+void decode(std::span<float> values, int channels, int alpha_channel, float gamma);
 
 }  // namespace oriel::oiio
