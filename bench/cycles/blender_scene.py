@@ -67,13 +67,16 @@ def node_material(name, m, pictures):
             made.inputs[key].default_value = value
         return made
 
+    def link_picture(name, target):
+        picture = node("ShaderNodeTexImage")
+        picture.image = bpy.data.images.load(pictures[name])
+        picture.image.colorspace_settings.name = "Raw"
+        tree.links.new(picture.outputs["Color"], target)
+
     def diffuse():
         surface = node("ShaderNodeBsdfDiffuse", m["diffuse"])
         if "picture" in m:
-            picture = node("ShaderNodeTexImage")
-            picture.image = bpy.data.images.load(pictures[m["picture"]])
-            picture.image.colorspace_settings.name = "Raw"
-            tree.links.new(picture.outputs["Color"], surface.inputs["Color"])
+            link_picture(m["picture"], surface.inputs["Color"])
         return surface
     if m["kind"] == "diffuse":
         surface = diffuse()
@@ -96,6 +99,11 @@ def node_material(name, m, pictures):
         tree.links.new(fresnel.outputs[0], surface.inputs[0])
         tree.links.new(diffuse().outputs[0], surface.inputs[1])
         tree.links.new(coat.outputs[0], surface.inputs[2])
+    if "cut_out" in m:
+        whole, surface = surface, node("ShaderNodeMixShader")
+        link_picture(m["cut_out"], surface.inputs[0])
+        tree.links.new(node("ShaderNodeBsdfTransparent", (1, 1, 1)).outputs[0], surface.inputs[1])
+        tree.links.new(whole.outputs[0], surface.inputs[2])
     tree.links.new(surface.outputs[0], out.inputs["Surface"])
     return material
 

@@ -13,4 +13,5 @@ SCENES = {"cornell": scenes.cornell, "sky_room": scenes.sky_room, "sun_room": sc
           "day_room": interiors.day_room, "night_room": interiors.night_room,
           "bathroom": interiors.bathroom, "door_ajar": hard.door_ajar, "pool": hard.pool,
           "kitchen": everyday.kitchen, "product": everyday.product, "street": everyday.street,
-          "office": everyday.office, "loft": everyday.loft, "papered": everyday.papered}
+          "office": everyday.office, "loft": everyday.loft, "papered": everyday.papered,
+          "park": everyday.park}

@@ -60,10 +60,15 @@ class Oriel:
 
     @staticmethod
     def paint(name, base, folder):
-        """A picture of 2048 x 2048 pixels with grain around the colour."""
-        grain = numpy.random.default_rng(len(name)).uniform(.5, 1.5, (2048, 2048, 1))
+        """A picture of 2048 x 2048 pixels with grain around the colour; of 256 x 256 with a leaf."""
         path = os.path.join(folder, name + ".png")
-        oiio.ImageBuf((grain * base).clip(0, 1).astype(numpy.float32)).write(path, oiio.UINT8)
+        if base == "leaf":
+            y, x = numpy.mgrid[-1:1:256j, -1:1:256j]
+            values = (abs(y) < .9 * (1 - x * x)).astype(numpy.float32)[..., None].repeat(3, axis=2)
+        else:
+            grain = numpy.random.default_rng(len(name)).uniform(.5, 1.5, (2048, 2048, 1))
+            values = (grain * base).clip(0, 1)
+        oiio.ImageBuf(values.astype(numpy.float32)).write(path, oiio.UINT8)
         return path
 
     def measure_sky(self, sky, folder):

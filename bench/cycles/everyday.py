@@ -160,3 +160,41 @@ def papered():
     return {"meshes": [with_places(m) for m in meshes], "materials": surfaces, "lights": [sun],
             "pictures": {name + "_paper": DIFFUSE[name] for name in surfaces},
             "background": 2.0, "camera": camera((2.3, 1.5, 1.8), (-.9, .9, -.7), 1.5)}
+
+
+def cards(centre, radius, count, rng):
+    """Squares of .2 m in an ellipsoid, as vertices."""
+    found = []
+    while len(found) < 4 * count:
+        p = [rng.uniform(-1, 1) for _ in range(3)]
+        if sum(c * c for c in p) >= 1:
+            continue
+        middle = [c + r * q for c, r, q in zip(centre, radius, p)]
+        a, b = ([rng.gauss(0, 1) for _ in range(3)] for _ in range(2))
+        along = sum(x * y for x, y in zip(a, b)) / sum(x * x for x in a)
+        b = [y - along * x for x, y in zip(a, b)]
+        a, b = ([.1 * c / math.sqrt(sum(q * q for q in v)) for c in v] for v in (a, b))
+        found += [tuple(m + i * p + j * q for m, p, q in zip(middle, a, b))
+                  for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    return found
+
+
+def park():
+    """Trees whose leaves are cut out of squares by a picture, under sun and even sky."""
+    rng = random.Random(9)
+    rest = {"leaf": {"kind": "diffuse", "diffuse": (.15, .35, .07), "cut_out": "leaf_shape"},
+            "ground": {"kind": "diffuse", "diffuse": (.2, .3, .1)}}
+    meshes = [quad("ground", (-60, 0, 60), (60, 0, 60), (60, 0, -60), (-60, 0, -60)),
+              box("white", (-6, 0, -14), (6, 6, -8))]
+    crowns = []
+    for k in range(12):
+        x, z = -16 + 3 * k, -4 + 9 * rng.random()
+        meshes.append(cylinder("floor", (x, 1.2, z), .15, 2.4, 16))
+        crowns += cards((x, 3.6, z), (1.8, 1.8, 1.8), 4000, rng)
+    meshes.append({"material": "leaf", "vertices": crowns,
+                   "uvs": [(0, 0), (1, 0), (1, 1), (0, 1)] * (len(crowns) // 4),
+                   "faces": [tuple(range(i, i + 4)) for i in range(0, len(crowns), 4)]})
+    sun = {"kind": "sun", "direction": (.4, -.7, -.55), "albedo_one": 3.0}
+    return {"meshes": meshes, "lights": [sun], "background": 1.0, "pictures": {"leaf_shape": "leaf"},
+            "materials": {**materials(*DIFFUSE), **rest},
+            "camera": camera((4, 2.2, 18), (-1, 2.8, 0), 1.2)}

@@ -69,6 +69,8 @@ def material(m):
                   "do_refractive_caustics": not m["straight"], "skip_inside_refl": False})
     if "picture" in m:
         p["diffuse"] = f'= "{m["picture"]}_look_up"'
+    if "cut_out" in m:
+        p["cutout_opacity"] = f'= "{m["cut_out"]}_look_up"'
 
     def text(v):
         if isinstance(v, bool):
@@ -205,7 +207,7 @@ def write(scene, path, probe, profile):
                     f'"coord" = "{name}_tile" )\n')
         for name, m in scene["materials"].items():
             # A material without shadow shader has opaque shadows, and paths refract light in it.
-            shadow = f'shadow = "{name}_s" ' if m.get("straight") else ""
+            shadow = f'shadow = "{name}_s" ' if m.get("straight") or "cut_out" in m else ""
             f.write(f'shader "{name}_s" "mia_material_x" ( {material(m)} )\n'
                     f'material "{name}" = "{name}_s" {shadow}end material\n')
         members = []

@@ -92,8 +92,9 @@ struct Accel::Impl {
     RTCScene scene = rtcNewScene(device);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
     // Robust traversal divides; fast traversal multiplies by an estimated reciprocal.
-    if (edges == Edges::Watertight)
-      rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+    rtcSetSceneFlags(scene, edges == Edges::Watertight
+                                ? RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION
+                                : RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     return scene;
   }
 
@@ -107,9 +108,12 @@ struct Accel::Impl {
   MeshEntry& mesh_of(std::uint32_t instance) {
     return meshes[static_cast<std::uint32_t>(instances[instance].mesh)];
   }
+  const MeshEntry& mesh_of(std::uint32_t instance) const {
+    return meshes[static_cast<std::uint32_t>(instances[instance].mesh)];
+  }
 
   /// Index of the first piece of that curve geometry among the primitives of an instance.
-  std::uint32_t first_piece(std::uint32_t instance, std::uint32_t geometry) {
+  std::uint32_t first_piece(std::uint32_t instance, std::uint32_t geometry) const {
     const Mesh& mesh = mesh_of(instance).mesh;
     const std::size_t lines = geometry == kBeziers ? mesh.curves.lines.size() : 0;
     return static_cast<std::uint32_t>(mesh.triangles.size() + lines);
@@ -213,6 +217,39 @@ struct Accel::Impl {
 
   /// Replaces the hit position of Embree, which is based on a reciprocal estimate that differs
   /// between processors.
+  /// A hit that Embree reports, without its distance.
+  Hit hit_of(const RTCHit& found, const Ray& ray) const {
+    Hit hit;
+    hit.u = found.u;
+    hit.v = found.v;
+    hit.primitive = found.primID;
+    hit.ng = Vec3(found.Ng_x, found.Ng_y, found.Ng_z);
+    hit.time = ray.time;
+    hit.instance = found.geomID;
+    if (found.instID[0] != RTC_INVALID_GEOMETRY_ID) {
+      hit.instance = found.instID[0];
+      if (found.geomID != 0) hit.primitive += first_piece(hit.instance, found.geomID);
+    }
+    return hit;
+  }
+
+  bool occluded(RTCIntersectContext& context, const Ray& ray) const {
+    RTCRay query;
+    query.org_x = ray.org.x;
+    query.org_y = ray.org.y;
+    query.org_z = ray.org.z;
+    query.tnear = behind(ray.tnear);
+    query.dir_x = ray.dir.x;
+    query.dir_y = ray.dir.y;
+    query.dir_z = ray.dir.z;
+    query.time = ray.time;
+    query.tfar = ray.tfar;
+    query.mask = ray.mask;
+    query.flags = 0;
+    rtcOccluded1(top, &context, &query);
+    return query.tfar < 0;
+  }
+
   void refine(const Ray& ray, Hit& hit) const {
     const InstanceDesc& desc = instances[hit.instance];
     const MeshEntry& entry = meshes[static_cast<std::uint32_t>(desc.mesh)];
@@ -382,6 +419,24 @@ void Accel::commit(const Remake& remake) {
   instances_ = impl_->instances.data();
 }
 
+/// Passes hits of some instances to a test.
+struct Accel::AskingContext {
+  RTCIntersectContext embree;  // first: Embree passes its address
+  const Impl& impl;
+  const Ray& ray;
+  std::uint32_t asked;
+  BlockTest& test;
+
+  static void ask(const RTCFilterFunctionNArguments* args) {
+    const auto& context = *reinterpret_cast<const AskingContext*>(args->context);
+    Hit hit = context.impl.hit_of(*reinterpret_cast<const RTCHit*>(args->hit), context.ray);
+    if ((context.impl.instances[hit.instance].mask & context.asked) == 0) return;
+    hit.t = reinterpret_cast<const RTCRay*>(args->ray)->tfar;
+    context.impl.refine(context.ray, hit);
+    if (!context.test.blocks(hit)) args->valid[0] = 0;
+  }
+};
+
 bool Accel::intersect(const Ray& ray, Hit& hit) const {
   NearestContext context;
   rtcInitIntersectContext(&context.embree);
@@ -402,17 +457,8 @@ bool Accel::intersect(const Ray& ray, Hit& hit) const {
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_, &context.embree, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+  hit = impl_->hit_of(query.hit, ray);
   hit.t = impl_->edges == Edges::Watertight ? context.t : query.ray.tfar;
-  hit.u = query.hit.u;
-  hit.v = query.hit.v;
-  hit.primitive = query.hit.primID;
-  hit.ng = Vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
-  hit.time = ray.time;
-  hit.instance = query.hit.geomID;
-  if (query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
-    hit.instance = query.hit.instID[0];
-    if (query.hit.geomID != 0) hit.primitive += impl_->first_piece(hit.instance, query.hit.geomID);
-  }
   impl_->refine(ray, hit);
   return true;
 }
@@ -420,20 +466,14 @@ bool Accel::intersect(const Ray& ray, Hit& hit) const {
 bool Accel::occluded(const Ray& ray) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRay query;
-  query.org_x = ray.org.x;
-  query.org_y = ray.org.y;
-  query.org_z = ray.org.z;
-  query.tnear = behind(ray.tnear);
-  query.dir_x = ray.dir.x;
-  query.dir_y = ray.dir.y;
-  query.dir_z = ray.dir.z;
-  query.time = ray.time;
-  query.tfar = ray.tfar;
-  query.mask = ray.mask;
-  query.flags = 0;
-  rtcOccluded1(scene_, &context, &query);
-  return query.tfar < 0;
+  return impl_->occluded(context, ray);
+}
+
+bool Accel::occluded(const Ray& ray, std::uint32_t asked, BlockTest& test) const {
+  AskingContext context{{}, *impl_, ray, asked, test};
+  rtcInitIntersectContext(&context.embree);
+  context.embree.filter = AskingContext::ask;
+  return impl_->occluded(context.embree, ray);
 }
 
 void Accel::interpolate(const Hit& hit, SurfacePoint& point) const {

@@ -77,6 +77,15 @@ struct AccelMemory {
   }
 };
 
+/// Decides whether a hit blocks a ray.
+class BlockTest {
+ public:
+  virtual bool blocks(const Hit& hit) = 0;
+
+ protected:
+  ~BlockTest() = default;
+};
+
 /// Owns the meshes of a world and intersects rays with them.
 ///
 /// Model:   a mesh with one instance is transformed to world space in place and traced without an
@@ -138,6 +147,9 @@ class Accel {
   bool intersect(const Ray& ray, Hit& hit) const;
   /// Whether there is any hit in (tnear, tfar).
   bool occluded(const Ray& ray) const;
+  /// The same, but hits of instances whose mask has a bit of `asked` only if the test says so. It
+  /// is asked in any order, and not about all of them if one blocks.
+  bool occluded(const Ray& ray, std::uint32_t asked, BlockTest& test) const;
   void interpolate(const Hit& hit, SurfacePoint& point) const;
   /// Matrices of an instance at a given time.
   void placement_at(std::uint32_t instance, float time, Mat4& local_to_world,
@@ -153,6 +165,7 @@ class Accel {
 
  private:
   struct Impl;
+  struct AskingContext;
   std::unique_ptr<Impl> impl_;
   RTCSceneTy* scene_ = nullptr;  // copy of the pointer in impl_, saves an indirection per ray
   const InstanceDesc* instances_ = nullptr;  // likewise

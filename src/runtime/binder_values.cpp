@@ -208,12 +208,12 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
       }
       const bool again = !node.connections_.empty() &&
                          node.connections_.back().source == source.node &&
-                         node.connections_.back().unfiltered == param.unfiltered;
+                         node.connections_.back().look_up == param.look_up;
       const float cost = source.node->cost_ * node.spec().binding.evaluations;
       if (!again && !(reaches(node, source.node, value.where) && afford(node, cost, value.where)))
         return;
       node.connections_.push_back(
-          {offset, type, source.node, source.type, source.offset, param.unfiltered});
+          {offset, type, source.node, source.type, source.offset, param.look_up});
       return;
     }
     case Value::Kind::Interface: {

@@ -42,7 +42,7 @@ class Beside {
 
 TextureFootprint coordinate_footprint(const ShaderNode& coordinate, const Vec3& here,
                                       ShadingPoint& point) {
-  if (point.nearest_texels) return {};
+  if (point.look_up != LookUp::Filtered) return {};
   const TextureFootprint plain = texture_footprint(point);
   Beside beside(coordinate, here, point);
   const auto along = [&](const Vec3& way, const Vec2& uv) {

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "base/vec.h"
+#include "runtime/shading_point.h"
 #include "scene/shader.h"
 
 namespace oriel {
@@ -148,9 +149,10 @@ struct ParamSpec {
   Support support = Support::Exact;
   const char* alias = nullptr;   ///< another accepted spelling
   bool declared_default = true;  ///< false: without declared default; unset = 0
-  /// Connected textures return the nearest texel without filtering: for values that wrap around,
-  /// such as angles.
-  bool unfiltered = false;
+  /// For connected textures. Nearest: values that wrap around, such as angles. Interpolated: shares
+  /// by which paths choose at random; the choice of filtered shares would have more noise than a
+  /// picture that each path sees sharply.
+  LookUp look_up = LookUp::Filtered;
   /// The shader evaluates this connection itself (ShaderNode::ask).
   bool asked_for = false;
   /// Accepts another material, connected or as a shader: see runtime/shade_input.h.

@@ -185,14 +185,11 @@ void ShaderNode::evaluate_connections(ShadingPoint& point, std::byte* scratch) c
     const Vec3 normal = point.normal;
     // Neighbouring connections to one source (a struct's members) evaluate it once.
     if (i == 0 || connections_[i - 1].source != c.source ||
-        connections_[i - 1].unfiltered != c.unfiltered) {
-      if (c.unfiltered && !point.nearest_texels) {
-        point.nearest_texels = true;
-        c.source->value(point, result);
-        point.nearest_texels = false;
-      } else {
-        c.source->value(point, result);
-      }
+        connections_[i - 1].look_up != c.look_up) {
+      const LookUp of_parameter = point.look_up;
+      point.look_up = std::max(of_parameter, c.look_up);
+      c.source->value(point, result);
+      point.look_up = of_parameter;
     }
     if (c.type == ParamType::Vector) point.normal = normal;
     convert_value(c.source_type, result + c.source_offset, c.type, scratch + c.offset);

@@ -19,9 +19,9 @@ struct Connection {
   std::size_t offset;  ///< into this shader's parameters
   ParamType type;      ///< of the parameter
   const ShaderNode* source;
-  ParamType source_type;      ///< of the result or its member
-  std::size_t source_offset;  ///< of the member in the source's result
-  bool unfiltered = false;    ///< the source and its inputs look up single texels
+  ParamType source_type;              ///< of the result or its member
+  std::size_t source_offset;          ///< of the member in the source's result
+  LookUp look_up = LookUp::Filtered;  ///< of the source and its inputs
 };
 
 /// A parameter with a connected material.

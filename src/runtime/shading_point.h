@@ -73,6 +73,13 @@ inline constexpr bool is_photon(RayKind kind) {
          kind == RayKind::PhotonHull;
 }
 
+/// How pictures are looked up.
+enum class LookUp : std::uint8_t {
+  Filtered,      ///< over the footprint of the ray
+  Interpolated,  ///< between texels, without footprint
+  Nearest        ///< single texels
+};
+
 inline constexpr int kMaxTextureSpaces = 8;
 
 // Conventions
@@ -92,7 +99,7 @@ struct ShadingPoint {
   bool unbent = false;
   /// of the part of a lobe that a look-up represents; 0 = one direction
   float roughness = 0;
-  bool nearest_texels = false;  ///< texture look-ups return single texels without interpolation
+  LookUp look_up = LookUp::Filtered;
   std::uint8_t texture_spaces = 0;
 
   Vec3 ray_origin{0};

@@ -69,7 +69,7 @@ void TextureNode::open_ahead(const scene::Texture& element, const scene::Scene& 
 }
 
 Rgba TextureNode::lookup(const Vec2& uv, ShadingPoint& point, const TextureSampling& how) const {
-  const bool filters = texture_ && !point.nearest_texels;
+  const bool filters = texture_ && point.look_up == LookUp::Filtered;
   return lookup(uv, filters ? texture_footprint(point) : TextureFootprint{}, point, how);
 }
 
@@ -87,17 +87,18 @@ Rgba TextureNode::lookup(const Vec2& uv, const TextureFootprint& footprint, Shad
     return c;
   }
   if (!texture_) return kMissing;
-  if (point.nearest_texels) {
+  if (point.look_up == LookUp::Nearest) {
     TextureSampling single = how;
     single.interpolation = Interpolation::Nearest;
     return texture_->sample(uv, {}, single);
   }
+  if (point.look_up == LookUp::Interpolated) return texture_->sample(uv, {}, how);
   return texture_->sample(uv, {footprint.dx * filter_, footprint.dy * filter_}, how);
 }
 
 Rgba TextureNode::texel(const Vec2& uv) const {
   ShadingPoint nowhere;
-  nowhere.nearest_texels = true;
+  nowhere.look_up = LookUp::Nearest;
   return lookup(uv, nowhere, {.wrap_u = Wrap::Clamp, .wrap_v = Wrap::Clamp});
 }
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/shadow.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "base/math.h"
 #include "lights/sample_light.h"
@@ -19,7 +23,7 @@ constexpr int kMaxShadowBlockers = 128;
 /// block it.
 constexpr float kShortOfLight = 1 - 1e-4f;
 
-constexpr Transmittance kClosed{Rgb(0), Rgb(0), Rgb(0)};
+constexpr Transmittance kClosed{Rgb(0), Rgb(0), Rgb(0)}, kOpen{};
 
 float short_of_light(float distance) {
   return std::isinf(distance) ? distance : distance * kShortOfLight;
@@ -42,6 +46,76 @@ void pass(const Material& material, const Closure& closure, ShadingPoint& blocke
   // Rays that see the surface ignore its shadow replacement.
   if (material.filters_shadows()) open.cut_outs = Rgb(0);
 }
+
+/// Shades the transparent blockers of a shadow ray where one traversal of the scene meets them,
+/// instead of one after the other. Light that passes several is the same in any order, unless
+/// shadow shaders filter it.
+class BlockersInAnyOrder final : public geom::BlockTest {
+ public:
+  BlockersInAnyOrder(const World& world, const ShadingPoint& point, const geom::Ray& ray, int light)
+      : world_(world), point_(point), ray_(ray), light_(light) {}
+
+  bool blocks(const geom::Hit& hit) override {
+    const Material& material = material_of(world_, hit);
+    in_order_ |= material.filters_shadows();
+    if (in_order_) return false;
+    ShadingPoint at;
+    fill_point(world_, ray_, hit, {}, RayKind::Shadow, at);
+    at.raster = point_.raster;
+    at.light = light_;
+    Closure closure;
+    shade_blocker(material, at, closure);
+    const Transmittance here = straight_transmission(closure, world_.options);
+    if (max_component(here.all) <= 0 || count_ == kMaxShadowBlockers) return true;
+    if (here.all == Rgb(1) && here.cut_outs == Rgb(1)) return false;
+    // A ray that leaves the surface starts at an offset.
+    const float cosine = std::abs(dot(at.geometric_normal, ray_.dir));
+    passed_[static_cast<std::size_t>(count_++)] = {
+        hit.t,
+        hit.t + at.ray_offset / std::max(cosine, kMinCosine),
+        std::uint64_t{hit.instance} << 32 | hit.primitive,
+        here.all,
+        here.clear,
+        here.cut_outs};
+    return false;
+  }
+
+  /// Of all blockers; nothing if they have to be shaded in their order.
+  std::optional<Transmittance> transmittance() {
+    if (in_order_) return std::nullopt;
+    // In one order, so that sums round alike.
+    const auto end = passed_.begin() + count_;
+    std::sort(passed_.begin(), end, [](const Passed& a, const Passed& b) {
+      return a.t != b.t ? a.t < b.t : a.id < b.id;
+    });
+    Transmittance open;
+    float from = 0;
+    for (auto p = passed_.begin(); p != end; ++p) {
+      if (p->t < from) continue;
+      from = p->next;
+      open.all *= p->all;
+      open.clear *= p->clear;
+      open.cut_outs *= p->cut_outs;
+    }
+    return max_component(open.all) > 0 ? open : kClosed;
+  }
+
+ private:
+  static constexpr float kMinCosine = 1e-3f;
+  struct Passed {
+    float t, next;  ///< next: from which on further surfaces are met
+    std::uint64_t id;
+    Rgb all, clear, cut_outs;  // not a Transmittance, whose constructor sets it
+  };
+
+  const World& world_;
+  const ShadingPoint& point_;
+  const geom::Ray& ray_;
+  int light_;
+  bool in_order_ = false;
+  int count_ = 0;
+  std::array<Passed, kMaxShadowBlockers> passed_;
+};
 
 }  // namespace
 
@@ -90,9 +164,17 @@ Rgb straight_through(const Material& material, ShadingPoint& point,
 
 Transmittance shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
                                    float distance, RayCounts& counts, int light) {
+  geom::Ray ray = leave(point, wi, short_of_light(distance), geom::RayMask::Shadow);
   ++counts.shadow;
-  if (world.accel->occluded(leave(point, wi, short_of_light(distance), geom::RayMask::Shadow)))
+  if (!world.has_transparent_blockers) return world.accel->occluded(ray) ? kClosed : kOpen;
+  if (world.options.shadow != scene::ShadowMode::Segments && !world.has_object_volumes) {
+    ray.mask |= geom::RayMask::ShadowTransparent;
+    BlockersInAnyOrder blockers(world, point, ray, light);
+    if (world.accel->occluded(ray, geom::RayMask::ShadowTransparent, blockers)) return kClosed;
+    if (const auto open = blockers.transmittance()) return *open;
+  } else if (world.accel->occluded(ray)) {
     return kClosed;
+  }
   return transparent_transmittance(world, point, wi, distance, counts, light);
 }
 

@@ -15,7 +15,7 @@ Rgba tint_at(const ProbeScene& s, float u, float v) {
   point.tex[0] = Vec3(u, v, 0);
   point.dpdu = Vec3(1, 0, 0);
   point.dpdv = Vec3(0, 1, 0);
-  point.nearest_texels = true;
+  point.look_up = LookUp::Nearest;
   Rgba tint(0);
   const ShaderNode* node = s.node();
   EXPECT_NE(node, nullptr) << s.messages();

@@ -52,7 +52,7 @@ constexpr ParamSpec kMiaMaterialParamsRows[] = {
     {ORIEL_PARAM(MiaMaterialParams, anisotropy), .fallback = {1}, .min = 0,
      .doc = "Anisotropy: ratio of width to height of highlights; 1 = isotropic."},
     {ORIEL_PARAM(MiaMaterialParams, anisotropy_rotation),
-     .doc = "Rotation of the anisotropy direction; 1 = a full turn.", .unfiltered = true},
+     .doc = "Rotation of the anisotropy direction; 1 = a full turn.", .look_up = LookUp::Nearest},
     {ORIEL_PARAM(MiaMaterialParams, anisotropy_channel), .fallback = {-1}, .min = -4, .max = 64,
      .doc = "Base direction of the anisotropy: texture space, -1 object, -2 bump basis, -3 "
             "derivatives, -4 stored vector."},
@@ -137,7 +137,7 @@ constexpr ParamSpec kMiaMaterialParamsRows[] = {
     {ORIEL_PARAM(MiaMaterialParams, hl_vs_refl_balance), .fallback = {1}, .min = 0,
      .doc = "Ratio of highlights to reflections."},
     {ORIEL_PARAM(MiaMaterialParams, cutout_opacity), .fallback = {1}, .min = 0, .max = 1,
-     .doc = "Opacity of the surface; 0 = removed for all rays."},
+     .doc = "Opacity of the surface; 0 = removed for all rays.", .look_up = LookUp::Interpolated},
     {ORIEL_PARAM(MiaMaterialParams, additional_color), .fallback = {0, 0, 0},
      .doc = "Colour added to the result."},
     {ORIEL_PARAM(MiaMaterialParams, bump),

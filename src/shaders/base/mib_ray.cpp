@@ -61,7 +61,7 @@ constexpr ParamSpec kTransparencyRows[] = {
 constexpr ParamSpec kOpacityRows[] = {
     {ORIEL_PARAM(Opacity, input), .doc = kInput, .declared_default = false, .takes_material = true},
     {ORIEL_PARAM(Opacity, opacity), .doc = "Opacity of the surface; 0 = removed for all rays.",
-     .declared_default = false},
+     .declared_default = false, .look_up = LookUp::Interpolated},
 };
 constexpr ParamSpec kTwosidedRows[] = {
     {ORIEL_PARAM(Twosided, front), .doc = "Front face colour or material.",

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shadow modes and shadow shaders: order of calls, and transmittance.
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <mutex>
+#include <random>
+#include <vector>
 
 #include "support/probe.h"
 #include "transport/photon/photon_trace.h"
@@ -47,10 +52,25 @@ constexpr ShaderSpec kTestStep = {
     },
 };
 
+/// "test_stripes": 0, 1/2 and 1 by turns along x.
+constexpr ShaderSpec kTestStripes = {
+    .name = "test_stripes",
+    .library = "test",
+    .apply = kApplyTexture,
+    .result = ParamType::Scalar,
+    .result_size = sizeof(float),
+    .value =
+        [](const Call& call, void* result) {
+          const auto stripe = static_cast<int>(std::floor(call.point.position.x * 3)) + 300;
+          *static_cast<float*>(result) = static_cast<float>(stripe % 3) / 2;
+        },
+};
+
 const Registry& registry() {
   static const Registry all([] {
     std::vector<const ShaderSpec*> specs = test_registry().all();
     specs.push_back(&kTestStep);
+    specs.push_back(&kTestStripes);
     return specs;
   }());
   return all;
@@ -118,6 +138,83 @@ TEST(ShadowModes, ABlockerThatBecomesOpaqueEndsTheShadowRay) {
     EXPECT_EQ(open.all, Rgb(0));
     EXPECT_EQ(step_log().heights, (std::vector<float>{1, 2})) << mode;
   }
+}
+
+/// Cut-outs, clear and rough glass, and few opaque surfaces, at random places.
+SceneText many_blockers(unsigned seed, int transparent, int opaque) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<float> place(-2, 2), height(0, 4);
+  SceneText scene = in_mode("on");
+  scene.statement("shader \"stripes\" \"test_stripes\" ( )")
+      .material("holes", "\"reflectivity\" 0, \"cutout_opacity\" = \"stripes\"")
+      .material("veil", "\"reflectivity\" 0, \"cutout_opacity\" .3")
+      .material("glass",
+                "\"diffuse_weight\" 0, \"reflectivity\" .2, \"transparency\" .9, "
+                "\"refr_color\" .9 .8 .7, \"thin_walled\" on")
+      .material("milk",
+                "\"diffuse_weight\" 0, \"reflectivity\" 0, \"transparency\" .9, "
+                "\"refr_color\" .7 .9 .8, \"refr_gloss\" .5, \"thin_walled\" on")
+      .lambert("wall", .5f);
+  const char* const names[] = {"holes", "veil", "glass", "milk"};
+  for (int i = 0; i < transparent + opaque; ++i) {
+    const Vec3 centre(place(engine), place(engine), height(engine));
+    const Vec3 normal(place(engine), place(engine), place(engine));
+    const bool wall = i >= transparent;
+    scene.square(wall ? "wall" : names[i % 4], centre, wall ? .3f : 1, normal);
+  }
+  return scene;
+}
+
+TEST(ShadowModes, BlockersOfOneTraversalTransmitAsThoseOneAfterTheOther) {
+  int shadowed = 0, dimmed = 0, open_ways = 0;
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Probe probe = probe_of(many_blockers(seed, 24, 6));
+    const World& world = probe.world();
+    std::mt19937 engine(seed + 10);
+    std::uniform_real_distribution<float> place(-2, 2);
+    for (int i = 0; i < 4000; ++i) {
+      ShadingPoint point;
+      point.position = Vec3(place(engine), place(engine), -1);
+      point.normal = point.geometric_normal = kUp;
+      point.world = &world;
+      const Vec3 to = Vec3(place(engine), place(engine), 5) - point.position;
+      const Vec3 wi = normalize(to);
+      RayCounts counts;
+      const Transmittance found = shadow_transmittance(world, point, wi, length(to), counts, -1);
+      EXPECT_EQ(counts.shadow, 1u);
+      geom::Ray ray;
+      ray.org = point.position;
+      ray.dir = wi;
+      ray.tfar = length(to);
+      ray.mask = geom::RayMask::Shadow;
+      Transmittance expected{Rgb(0), Rgb(0), Rgb(0)};
+      if (!world.accel->occluded(ray))
+        expected = transparent_transmittance(world, point, wi, length(to), counts, -1);
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_NEAR(found.all[k], expected.all[k], 1e-5f) << seed << ' ' << i;
+        ASSERT_NEAR(found.clear[k], expected.clear[k], 1e-5f) << seed << ' ' << i;
+        ASSERT_NEAR(found.cut_outs[k], expected.cut_outs[k], 1e-5f) << seed << ' ' << i;
+      }
+      (is_black(found.all) ? shadowed : found.all == Rgb(1) ? open_ways : dimmed) += 1;
+    }
+  }
+  EXPECT_GT(std::min({shadowed, dimmed, open_ways}), 500)
+      << shadowed << ' ' << dimmed << ' ' << open_ways;
+}
+
+TEST(ShadowModes, SurfacesAtOnePlaceCountOnce) {
+  SceneText scene = in_mode("on");
+  scene.material("veil", "\"reflectivity\" 0, \"cutout_opacity\" .5")
+      .square("veil", Vec3(0, 0, 1), 5, kUp)
+      .square("veil", Vec3(0, 0, 1), 4, kUp)
+      .square("veil", Vec3(0, 0, 2), 5, kUp);
+  const Probe probe = probe_of(scene);
+  ShadingPoint point;
+  point.normal = point.geometric_normal = kUp;
+  point.position = Vec3(.3f, .1f, 0);
+  RayCounts counts;
+  const Transmittance open = shadow_transmittance(probe.world(), point, kUp, 5, counts, -1);
+  EXPECT_EQ(open.all, Rgb(.25f));
 }
 
 // acceptance: H6

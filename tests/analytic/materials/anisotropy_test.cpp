@@ -236,7 +236,7 @@ TEST(AnisotropyRotation, ATextureIsNeverAveragedAcrossItsSeam) {
           EXPECT_EQ(p.diffuse_roughness, p.refl_gloss);
           between += p.refl_gloss > .02f && p.refl_gloss < .98f;
         });
-        EXPECT_FALSE(point.nearest_texels);
+        EXPECT_EQ(point.look_up, LookUp::Filtered);
       }
     EXPECT_GT(between, 3000) << source;
   }
