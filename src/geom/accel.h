@@ -147,8 +147,8 @@ class Accel {
   bool intersect(const Ray& ray, Hit& hit) const;
   /// Whether there is any hit in (tnear, tfar).
   bool occluded(const Ray& ray) const;
-  /// The same, but hits of instances whose mask has a bit of `asked` only if the test says so. It
-  /// is asked in any order, and not about all of them if one blocks.
+  /// The same, but hits of instances whose mask has a bit of `asked` count only if the test returns
+  /// true. It is called for hits in any order, and for no others after one that blocks.
   bool occluded(const Ray& ray, std::uint32_t asked, BlockTest& test) const;
   void interpolate(const Hit& hit, SurfacePoint& point) const;
   /// Matrices of an instance at a given time.
