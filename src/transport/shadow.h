@@ -16,12 +16,13 @@ struct Transmittance {
 
 /// Computes the transmittance between a point and a light.
 ///
-/// Model:   opaque blockers first, then transparent ones in order: each multiplies by the weights
-///          of its transmitting lobes, and in shadow mode segments by the absorption through its
-///          thickness. Refraction does not bend shadow rays. A shadow shader in the material's slot
-///          replaces the lobes. Shadow shaders are called from the point to the light in all modes,
-///          with white light at the point; modes on and sort only omit the media. After an opaque
-///          blocker no shader is called.
+/// Model:   each transparent blocker multiplies by the weights of its transmitting lobes, and in
+///          shadow mode segments by the absorption through its thickness. All are met in one
+///          traversal of the scene, in any order; opaque ones come first and the others in order if
+///          media absorb light or shadow shaders filter it. Refraction does not bend shadow rays. A
+///          shadow shader in the material's slot replaces the lobes. Shadow shaders are called from
+///          the point to the light in all modes, with white light at the point; modes on and sort
+///          only omit the media. After an opaque blocker no shader is called.
 /// Inputs:  point: the lit point; wi: unit, to the light; distance: to it, may be infinite; light:
 ///          index into World::lights, for shadow shaders; -1 = the environment.
 /// Source:  manual 1.6.8.2 and 1.6.8.3 (do_refractive_caustics).
