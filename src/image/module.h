@@ -39,11 +39,12 @@ class FilesModule {
 
   virtual void apply_ocio(Image& image, const OcioTransform& transform) = 0;
 
-  virtual void set_cache_megabytes(float megabytes) = 0;
+  /// Memory of whole pictures, which the next frame finds again, and of the tile cache.
+  virtual void set_cache_megabytes(float pictures, float tiles) = 0;
   virtual TextureStatistics texture_statistics() = 0;
 };
 
-inline constexpr int kFilesModuleVersion = 7;
+inline constexpr int kFilesModuleVersion = 8;
 /// The only exported symbol of the module. It returns null when the version differs. The object is
 /// never destroyed.
 using FilesModuleEntry = FilesModule* (*)(int version);

@@ -47,7 +47,7 @@ TextureSystem::Entry& TextureSystem::opened_entry(const std::string& path, float
       FilesModule& module = files_module();
       has_module = true;
       module.set_source_opener(readers_are_isolated() ? open_isolated : PixelSourceOpener());
-      module.set_cache_megabytes(cache_megabytes * (1 - kKeptShare));
+      module.set_cache_megabytes(cache_megabytes * kKeptShare, cache_megabytes * (1 - kKeptShare));
       entry.texture = module.open_texture(path, gamma, most_tile_bytes);
     } catch (const std::exception& e) {
       entry.message = "cannot open texture '" + path + "': " + e.what();

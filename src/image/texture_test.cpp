@@ -372,6 +372,32 @@ TEST(FileTexture, KeptPixelsGiveTheSameValues) {
   }
 }
 
+TEST(FileTexture, TheNextSystemFindsPicturesInMemory) {
+  const TestFolder folder;
+  const std::string path = folder.file("a.tif");
+  const auto value_of = [&] {
+    TextureSystem system;
+    return system.open(path).texture->sample({0.5f, 0.5f}, {}, {}).r;
+  };
+  write_image(path, Image(64, 64, 3, 0.2f));
+  const auto time = std::filesystem::last_write_time(path);
+  EXPECT_NEAR(value_of(), 0.2f, 2e-3f);
+  const std::int64_t held = texture_statistics().bytes_held;
+  EXPECT_GE(held, std::int64_t{64} * 64 * 3);
+  // Other pixels with the same time stamp show whether the file is read.
+  write_image(path, Image(64, 64, 3, 0.8f));
+  std::filesystem::last_write_time(path, time);
+  EXPECT_NEAR(value_of(), 0.2f, 2e-3f);
+  EXPECT_EQ(texture_statistics().bytes_held, held);
+  // Pictures that nobody uses make room for others.
+  TextureSystem::set_cache_megabytes(0);
+  TextureSystem small;
+  small.open(path);
+  TextureSystem::set_cache_megabytes(1024);
+  EXPECT_LT(texture_statistics().bytes_held, held);
+  EXPECT_NEAR(value_of(), 0.8f, 2e-3f);
+}
+
 TEST(FileTexture, KeptPixelsAreFilteredLikeTiles) {
   const TestFolder folder;
   Image image(256, 128, 3);  // waves of 64, 32 and 16 texels

@@ -243,7 +243,9 @@ class Module final : public FilesModule {
 
   void prepare_reading() override { OIIO::get_string_attribute("extension_list"); }
 
-  void set_cache_megabytes(float megabytes) override { oiio::set_cache_megabytes(megabytes); }
+  void set_cache_megabytes(float pictures, float tiles) override {
+    oiio::set_cache_megabytes(pictures, tiles);
+  }
 
   TextureStatistics texture_statistics() override { return oiio::texture_statistics(); }
 };

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "image/mip_pyramid.h"
+#include "image/oiio/kept_pictures.h"
 #include "image/oiio/read_picture.h"
 #include "image/oiio/texture_input.h"
 #include "image/texture_wrap.h"
@@ -114,9 +115,6 @@ OIIO::TextureOpt::InterpMode interpolation_of(Interpolation mode) {
   return OIIO::TextureOpt::InterpBilinear;
 }
 
-/// Memory of the pictures that are kept.
-std::atomic<std::int64_t> kept_bytes{0};
-
 /// Whether the pixels fill the picture.
 bool is_whole(const PixelLevel& l) {
   return l.x == 0 && l.y == 0 && l.width == l.full_width && l.height == l.full_height &&
@@ -127,21 +125,15 @@ class TextureFile final : public Texture {
  public:
   /// Inputs:  gamma: 1 for pictures that are not decoded; has_levels: the file has coarser levels,
   /// which the tile cache reads.
-  TextureFile(std::string path, float gamma, System::TextureHandle* handle, const PixelLevel& level,
-              bool has_levels)
-      : path_(std::move(path)), gamma_(gamma), handle_(handle), level_(level) {
+  TextureFile(std::string path, OIIO::ustring name, float gamma, System::TextureHandle* handle,
+              const PixelLevel& level, bool has_levels)
+      : path_(std::move(path)), name_(name), gamma_(gamma), handle_(handle), level_(level) {
     width_ = level.full_width;
     height_ = level.full_height;
     channels_ = level.channels;
     read_ = std::min(channels_, 4);
     may_keep_ = is_whole(level) && !has_levels;
   }
-  ~TextureFile() override {
-    if (kept_) kept_bytes -= static_cast<std::int64_t>(bytes_to_keep());
-  }
-  TextureFile(const TextureFile&) = delete;
-  TextureFile& operator=(const TextureFile&) = delete;
-
   std::uint64_t bytes_to_keep() const override {
     return may_keep_ ? MipPyramid::bytes_of(format()) : 0;
   }
@@ -190,8 +182,10 @@ class TextureFile final : public Texture {
 
   void read() const {
     try {
+      kept_ = kept_pictures().find(name_.string());
+      if (kept_) return;
       kept_ = read_picture(path_, level_, format());
-      kept_bytes += static_cast<std::int64_t>(bytes_to_keep());
+      kept_pictures().add(name_.string(), kept_, bytes_to_keep());
     } catch (const std::exception& e) {
       fail(e.what());
     }
@@ -210,13 +204,14 @@ class TextureFile final : public Texture {
   }
 
   std::string path_;
+  OIIO::ustring name_;  ///< with gamma and time stamp
   float gamma_;
   System::TextureHandle* handle_;
   PixelLevel level_;
   int read_;
   bool may_keep_, keeps_ = false;
   mutable std::once_flag once_;
-  mutable std::unique_ptr<const MipPyramid> kept_;
+  mutable std::shared_ptr<const MipPyramid> kept_;
   mutable std::atomic<bool> failed_{false};
   mutable std::mutex mutex_;
   mutable std::string error_;
@@ -276,11 +271,12 @@ std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma,
     const std::string why = system().geterror();
     throw std::runtime_error(why.empty() ? "the image library cannot use it as a texture" : why);
   }
-  return std::make_unique<TextureFile>(path, gamma, handle, level, has_levels);
+  return std::make_unique<TextureFile>(path, name, gamma, handle, level, has_levels);
 }
 
-void set_cache_megabytes(float megabytes) {
-  system().attribute("max_memory_MB", std::max(16.0f, megabytes));
+void set_cache_megabytes(float pictures, float tiles) {
+  kept_pictures().set_limit(static_cast<std::uint64_t>(pictures * (1 << 20)));
+  system().attribute("max_memory_MB", std::max(16.0f, tiles));
 }
 
 TextureStatistics texture_statistics() {
@@ -295,7 +291,7 @@ TextureStatistics texture_statistics() {
           .tile_requests = number("stat:find_tile_calls"),
           .tile_misses = number("stat:find_tile_cache_misses"),
           .bytes_read = number("stat:bytes_read"),
-          .bytes_held = number("stat:cache_memory_used") + kept_bytes};
+          .bytes_held = number("stat:cache_memory_used") + kept_pictures().bytes()};
 }
 
 }  // namespace oriel::oiio

@@ -20,7 +20,7 @@ void check_size(long long width, long long height, long long channels);
 std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma,
                                            std::uint64_t most_tile_bytes);
 
-void set_cache_megabytes(float megabytes);
+void set_cache_megabytes(float pictures, float tiles);
 TextureStatistics texture_statistics();
 
 }  // namespace oriel::oiio

@@ -228,6 +228,51 @@ TEST(Highlight, SkyBehindThinGlassIsCountedOnce) {
 }
 
 // acceptance: B3
+TEST(CutOut, PicturesOfOpacityAreSharpAtEachPoint) {
+  // Opaque on the left, a hole on the right; the rest of the material is filtered as always.
+  SceneText scene;
+  scene
+      .statement(
+          "color texture \"two\" [2 1 1] 'ff00'\n"
+          "shader \"place\" \"mib_texture_vector\" ( \"select\" 0 )\n"
+          "shader \"tiled\" \"mib_texture_remap\" ( \"input\" = \"place\", \"torus_x\" on )\n"
+          "shader \"plain\" \"mib_texture_lookup\" ( \"tex\" \"two\", \"coord\" = \"place\" )\n"
+          "shader \"moved\" \"mib_texture_lookup\" ( \"tex\" \"two\", \"coord\" = \"tiled\" )\n"
+          "shader \"input\" \"mia_material_x\" ( \"reflectivity\" 0 )\n")
+      .statement(
+          "material \"chain\" \"mib_opacity\" ( \"input\" = \"input\", \"opacity\" = \"moved\" ) "
+          "end material");
+  for (const char* source : {"plain", "moved"})
+    scene.material(source, fmt::format("\"reflectivity\" 0, \"cutout_opacity\" = \"{0}\", "
+                                       "\"diffuse\" = \"{0}\"",
+                                       source));
+  for (const char* name : {"chain", "plain", "moved"}) scene.plate(name);
+  const Probe probe(scene);
+  int seen = 0;
+  for (const Material& m : probe.world().materials) {
+    if (m.name != "chain" && m.name != "plain" && m.name != "moved") continue;
+    for (const float width : {0.0f, .1f, 1.0f, 10.0f})
+      for (const float u : {.25f, .75f}) {
+        ShadingPoint point;
+        point.world = &probe.world();
+        point.texture_spaces = 1;
+        point.tex[0] = Vec3(u, .5f, 0);
+        point.dpdu = Vec3(1, 0, 0);
+        point.dpdv = Vec3(0, 1, 0);
+        point.dpdx = Vec3(width, 0, 0);
+        point.dpdy = Vec3(0, width, 0);
+        Closure closure;
+        shade(m, point, closure);
+        EXPECT_FLOAT_EQ(closure.opacity, u < .5f ? 1 : 0) << m.name << ' ' << width;
+        if (m.name == "plain" && u < .5f && width == 10) {
+          EXPECT_NEAR(closure.albedo.x, .5f, .01f);
+        }
+        ++seen;
+      }
+  }
+  EXPECT_EQ(seen, 24);
+}
+
 TEST(CutOut, HolesAreOpenForEveryKindOfRay) {
   // A mirror with cut-out opacity .4 in front of an emitter of radiance 2.
   const std::string fence = std::string(kMirror) + ", \"cutout_opacity\" .4";
