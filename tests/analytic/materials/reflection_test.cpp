@@ -236,15 +236,18 @@ TEST(CutOut, PicturesOfOpacityAreSharpAtEachPoint) {
           "color texture \"two\" [2 1 1] 'ff00'\n"
           "shader \"place\" \"mib_texture_vector\" ( \"select\" 0 )\n"
           "shader \"tiled\" \"mib_texture_remap\" ( \"input\" = \"place\", \"torus_x\" on )\n"
-          "shader \"plain\" \"mib_texture_lookup\" ( \"tex\" \"two\", \"coord\" = \"place\" )\n"
-          "shader \"moved\" \"mib_texture_lookup\" ( \"tex\" \"two\", \"coord\" = \"tiled\" )\n"
+          "shader \"plain_look\" \"mib_texture_lookup\" ( \"tex\" \"two\", \"coord\" = \"place\" "
+          ")\n"
+          "shader \"moved_look\" \"mib_texture_lookup\" ( \"tex\" \"two\", \"coord\" = \"tiled\" "
+          ")\n"
           "shader \"input\" \"mia_material_x\" ( \"reflectivity\" 0 )\n")
       .statement(
-          "material \"chain\" \"mib_opacity\" ( \"input\" = \"input\", \"opacity\" = \"moved\" ) "
+          "material \"chain\" \"mib_opacity\" ( \"input\" = \"input\", \"opacity\" = "
+          "\"moved_look\" ) "
           "end material");
   for (const char* source : {"plain", "moved"})
-    scene.material(source, fmt::format("\"reflectivity\" 0, \"cutout_opacity\" = \"{0}\", "
-                                       "\"diffuse\" = \"{0}\"",
+    scene.material(source, fmt::format("\"reflectivity\" 0, \"cutout_opacity\" = \"{0}_look\", "
+                                       "\"diffuse\" = \"{0}_look\"",
                                        source));
   for (const char* name : {"chain", "plain", "moved"}) scene.plate(name);
   const Probe probe(scene);
