@@ -40,7 +40,7 @@ class TextureNode {
   /// Keeps the picture in memory, even if the budget of textures is used up, but not one that is
   /// far too large: for environments. See Texture::keep_pixels().
   void keep_pixels() {
-    constexpr std::uint64_t kMostBytes = std::uint64_t{128} << 20;  // 4096 x 2048 floats of RGB
+    constexpr std::uint64_t kMostBytes = std::uint64_t{160} << 20;  // RGB of 4096 x 2048: 128
     if (texture_ && texture_->bytes_to_keep() <= kMostBytes) texture_->keep_pixels();
   }
   /// The texel at uv, unfiltered; outside of the picture, that of its border.
