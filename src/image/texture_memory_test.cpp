@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Memory of texture files: pictures that are kept whole, and the tile cache.
+#include <ImfTiledRgbaFile.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <filesystem>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "image/files.h"
 #include "image/texture.h"
@@ -75,6 +77,37 @@ TEST(FileTexture, KeptPixelsGiveTheSameValues) {
             ASSERT_NEAR(a[c], b[c], 2e-3f) << name << " " << uv.x << " " << uv.y;
         }
   }
+}
+
+TEST(FileTexture, TiledPicturesAreKeptWhole) {
+  const TestFolder folder;
+  constexpr int kWidth = 40, kHeight = 24, kTile = 16;  // the last tiles are not full
+  std::vector<Imf::Rgba> pixels;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      pixels.emplace_back(static_cast<float>(x), static_cast<float>(y), static_cast<float>(x * y),
+                          1.0f);
+  {
+    Imf::TiledRgbaOutputFile file(folder.file("a.exr").c_str(), kWidth, kHeight, kTile, kTile,
+                                  Imf::ONE_LEVEL, Imf::ROUND_DOWN, Imf::WRITE_RGB);
+    file.setFrameBuffer(pixels.data(), 1, kWidth);
+    file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+  }
+  TextureSystem system;
+  const Texture* texture = system.open(folder.file("a.exr")).texture;
+  ASSERT_NE(texture, nullptr);
+  const std::int64_t requests = texture_statistics().tile_requests;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const Vec2 uv((static_cast<float>(x) + 0.5f) / kWidth,
+                    1 - (static_cast<float>(y) + 0.5f) / kHeight);
+      const Rgba got = texture->sample(uv, {}, {});
+      ASSERT_NEAR(got.r, static_cast<float>(x), 1e-3f) << x << ' ' << y;
+      ASSERT_NEAR(got.g, static_cast<float>(y), 1e-3f) << x << ' ' << y;
+      ASSERT_NEAR(got.b, static_cast<float>(x * y), 1e-2f) << x << ' ' << y;
+      ASSERT_EQ(got.a, 1);
+    }
+  EXPECT_EQ(texture_statistics().tile_requests, requests);
 }
 
 TEST(FileTexture, TheNextSystemFindsPicturesInMemory) {
