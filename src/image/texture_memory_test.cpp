@@ -119,7 +119,9 @@ TEST(FileTexture, TheNextSystemFindsPicturesInMemory) {
   };
   write_image(path, Image(64, 64, 3, 0.2f));
   const auto time = std::filesystem::last_write_time(path);
+  const std::int64_t read = texture_statistics().bytes_read;
   EXPECT_NEAR(value_of(), 0.2f, 2e-3f);
+  EXPECT_EQ(texture_statistics().bytes_read - read, std::int64_t{64} * 64 * 3);
   const std::int64_t held = texture_statistics().bytes_held;
   EXPECT_GE(held, std::int64_t{64} * 64 * 3);
   // Other pixels with the same time stamp show whether the file is read.
@@ -127,6 +129,7 @@ TEST(FileTexture, TheNextSystemFindsPicturesInMemory) {
   std::filesystem::last_write_time(path, time);
   EXPECT_NEAR(value_of(), 0.2f, 2e-3f);
   EXPECT_EQ(texture_statistics().bytes_held, held);
+  EXPECT_EQ(texture_statistics().bytes_read - read, std::int64_t{64} * 64 * 3);
   // Pictures that nobody uses make room for others.
   TextureSystem::set_cache_megabytes(0);
   TextureSystem small;

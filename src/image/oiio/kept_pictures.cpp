@@ -21,16 +21,18 @@ KeptPictures::Picture KeptPictures::find(const std::string& name) {
   return found->picture;
 }
 
-void KeptPictures::add(const std::string& name, Picture picture, std::uint64_t bytes) {
+void KeptPictures::add(const std::string& name, Picture picture, std::uint64_t bytes,
+                       std::uint64_t read) {
   const std::lock_guard lock(mutex_);
   entries_.push_back({name, std::move(picture), bytes});
   bytes_ += bytes;
+  read_ += read;
   make_room();
 }
 
-std::int64_t KeptPictures::bytes() const {
+KeptPictures::Totals KeptPictures::totals() const {
   const std::lock_guard lock(mutex_);
-  return static_cast<std::int64_t>(bytes_);
+  return {static_cast<std::int64_t>(bytes_), static_cast<std::int64_t>(read_)};
 }
 
 void KeptPictures::make_room() {

@@ -21,9 +21,13 @@ class KeptPictures {
   void set_limit(std::uint64_t bytes);
   /// The picture of that name; null if it is not in memory.
   Picture find(const std::string& name);
-  void add(const std::string& name, Picture picture, std::uint64_t bytes);
-  /// Memory of all pictures.
-  std::int64_t bytes() const;
+  /// Inputs:  bytes: of its memory; read: uncompressed size of the pixels in the file.
+  void add(const std::string& name, Picture picture, std::uint64_t bytes, std::uint64_t read);
+  /// Memory of all pictures, and the size of what was read so far.
+  struct Totals {
+    std::int64_t held, read;
+  };
+  Totals totals() const;
 
  private:
   struct Entry {
@@ -35,7 +39,7 @@ class KeptPictures {
 
   mutable std::mutex mutex_;
   std::list<Entry> entries_;  ///< the one found last at the end
-  std::uint64_t bytes_ = 0, limit_ = 0;
+  std::uint64_t bytes_ = 0, read_ = 0, limit_ = 0;
 };
 
 /// The pictures of the process.

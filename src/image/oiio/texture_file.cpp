@@ -185,7 +185,8 @@ class TextureFile final : public Texture {
       kept_ = kept_pictures().find(name_.string());
       if (kept_) return;
       kept_ = read_picture(path_, level_, format());
-      kept_pictures().add(name_.string(), kept_, bytes_to_keep());
+      kept_pictures().add(name_.string(), kept_, bytes_to_keep(),
+                          level_.row_bytes() * static_cast<std::uint64_t>(level_.height));
     } catch (const std::exception& e) {
       fail(e.what());
     }
@@ -287,11 +288,12 @@ TextureStatistics texture_statistics() {
     int narrow = 0;
     return system().getattribute(name, narrow) ? std::int64_t{narrow} : std::int64_t{0};
   };
+  const KeptPictures::Totals kept = kept_pictures().totals();
   return {.files = number("stat:unique_files"),
           .tile_requests = number("stat:find_tile_calls"),
           .tile_misses = number("stat:find_tile_cache_misses"),
-          .bytes_read = number("stat:bytes_read"),
-          .bytes_held = number("stat:cache_memory_used") + kept_pictures().bytes()};
+          .bytes_read = number("stat:bytes_read") + kept.read,
+          .bytes_held = number("stat:cache_memory_used") + kept.held};
 }
 
 }  // namespace oriel::oiio
