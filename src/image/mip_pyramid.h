@@ -47,7 +47,7 @@ class MipPyramid {
   /// Memory of all levels.
   static std::uint64_t bytes_of(const PictureFormat& format);
 
-  /// With undefined values; fill row() of all rows, then build().
+  /// With values of 0; fill all rows, then build().
   explicit MipPyramid(const PictureFormat& format);
   MipPyramid(const MipPyramid&) = delete;
   MipPyramid& operator=(const MipPyramid&) = delete;

@@ -24,7 +24,7 @@ bool is_pattern(const std::string& path) {
                      [&](std::string_view mark) { return path.find(mark) != path.npos; });
 }
 
-/// About forty 2048 x 2048 8-bit RGB pictures, and the tile cache.
+/// About 140 pictures of 2048 x 2048 pixels with 8 bits, and the tile cache.
 constexpr float kDefaultCacheMegabytes = 4096;
 constexpr float kKeptShare = 0.75f, kBytesOfMegabyte = 1 << 20;
 std::atomic<float> cache_megabytes{kDefaultCacheMegabytes};

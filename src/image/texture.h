@@ -113,7 +113,7 @@ class TextureSystem {
   /// opened at the same time.
   void open_ahead(const std::string& path, float gamma, std::uint64_t most_tile_bytes);
 
-  /// Memory in MB of kept pictures and of the tile cache (default 1024, minimum 16). Takes effect
+  /// Memory in MB of kept pictures and of the tile cache (default 4096, minimum 16). Takes effect
   /// when the next texture is opened.
   static void set_cache_megabytes(float megabytes);
 
