@@ -80,10 +80,8 @@ struct AccelMemory {
 /// Decides whether a hit blocks a ray.
 class BlockTest {
  public:
+  virtual ~BlockTest() = default;
   virtual bool blocks(const Hit& hit) = 0;
-
- protected:
-  ~BlockTest() = default;
 };
 
 /// Owns the meshes of a world and intersects rays with them.
