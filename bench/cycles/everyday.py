@@ -75,16 +75,26 @@ def product():
             "bounces": 12, "camera": camera((0, 2.4, 5), (0, .4, 0), .8)}
 
 
-def leaves(centre, radius, count, rng):
-    """Triangles of .1 m in an ellipsoid, as vertices."""
-    found = []
-    while len(found) < 3 * count:
+def places(centre, radius, count, rng):
+    """Random points in an ellipsoid, each with two random vectors."""
+    while count > 0:
         p = [rng.uniform(-1, 1) for _ in range(3)]
         if sum(c * c for c in p) >= 1:
             continue
-        middle = [c + r * q for c, r, q in zip(centre, radius, p)]
-        a, b = ([rng.gauss(0, 1) for _ in range(3)] for _ in range(2))
-        a, b = ([.06 * c / math.sqrt(sum(q * q for q in v)) for c in v] for v in (a, b))
+        count -= 1
+        yield ([c + r * q for c, r, q in zip(centre, radius, p)],
+               *([rng.gauss(0, 1) for _ in range(3)] for _ in range(2)))
+
+
+def of_length(length, v):
+    return [length * c / math.sqrt(sum(q * q for q in v)) for c in v]
+
+
+def leaves(centre, radius, count, rng):
+    """Triangles of .1 m in an ellipsoid, as vertices."""
+    found = []
+    for middle, a, b in places(centre, radius, count, rng):
+        a, b = of_length(.06, a), of_length(.06, b)
         found += [tuple(m - c for m, c in zip(middle, a)), tuple(m + c for m, c in zip(middle, a)),
                   tuple(m + c for m, c in zip(middle, b))]
     return found
@@ -165,15 +175,10 @@ def papered():
 def cards(centre, radius, count, rng):
     """Squares of .2 m in an ellipsoid, as vertices."""
     found = []
-    while len(found) < 4 * count:
-        p = [rng.uniform(-1, 1) for _ in range(3)]
-        if sum(c * c for c in p) >= 1:
-            continue
-        middle = [c + r * q for c, r, q in zip(centre, radius, p)]
-        a, b = ([rng.gauss(0, 1) for _ in range(3)] for _ in range(2))
+    for middle, a, b in places(centre, radius, count, rng):
         along = sum(x * y for x, y in zip(a, b)) / sum(x * x for x in a)
         b = [y - along * x for x, y in zip(a, b)]
-        a, b = ([.1 * c / math.sqrt(sum(q * q for q in v)) for c in v] for v in (a, b))
+        a, b = of_length(.1, a), of_length(.1, b)
         found += [tuple(m + i * p + j * q for m, p, q in zip(middle, a, b))
                   for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     return found

@@ -113,6 +113,14 @@ struct Accel::Impl {
     return static_cast<std::uint32_t>(mesh.triangles.size() + lines);
   }
 
+  /// Puts a new geometry into a scene, which owns it then.
+  static void attach(RTCScene scene, RTCGeometry geometry, std::uint32_t id, std::uint32_t mask) {
+    rtcSetGeometryMask(geometry, mask);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, id);
+    rtcReleaseGeometry(geometry);
+  }
+
   void attach_triangles(RTCScene scene, Mesh& mesh, std::uint32_t id, std::uint32_t mask) const {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     const auto steps = static_cast<unsigned>(mesh.keys.size());
@@ -123,16 +131,13 @@ struct Accel::Impl {
                                  sizeof(Vec3), mesh.vertex_count());
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                mesh.triangles.data(), 0, sizeof(Triangle), mesh.triangles.size());
-    rtcSetGeometryMask(geometry, mask);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene, geometry, id);
-    rtcReleaseGeometry(geometry);
+    attach(scene, geometry, id, mask);
   }
 
   void attach_curves(RTCScene scene, const Mesh& mesh) const {
     const Curves& curves = mesh.curves;
-    const auto attach = [&](RTCGeometryType type, const std::vector<std::uint32_t>& pieces,
-                            std::uint32_t id) {
+    const auto attach_pieces = [&](RTCGeometryType type, const std::vector<std::uint32_t>& pieces,
+                                   std::uint32_t id) {
       if (pieces.empty()) return;
       RTCGeometry geometry = rtcNewGeometry(device, type);
       const auto steps = static_cast<unsigned>(curves.keys.size());
@@ -154,23 +159,17 @@ struct Accel::Impl {
                                                 (right ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT : 0));
         }
       }
-      rtcSetGeometryMask(geometry, RayMask::All);
-      rtcCommitGeometry(geometry);
-      rtcAttachGeometryByID(scene, geometry, id);
-      rtcReleaseGeometry(geometry);
+      attach(scene, geometry, id, RayMask::All);
     };
-    attach(RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE, curves.lines, kLines);
-    attach(RTC_GEOMETRY_TYPE_ROUND_BEZIER_CURVE, curves.beziers, kBeziers);
+    attach_pieces(RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE, curves.lines, kLines);
+    attach_pieces(RTC_GEOMETRY_TYPE_ROUND_BEZIER_CURVE, curves.beziers, kBeziers);
   }
 
   void attach_instance(std::uint32_t i, const InstanceDesc& placed) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(geometry, mesh_of(i).scene);
     set_path_of(geometry, placed);
-    rtcSetGeometryMask(geometry, instances[i].mask);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(top, geometry, i);
-    rtcReleaseGeometry(geometry);
+    attach(top, geometry, i, instances[i].mask);
   }
 
   void bake(std::uint32_t i, const Remake& remake) {

@@ -13,6 +13,22 @@ namespace {
 /// which would be the surface that the ray starts on.
 float behind(float tnear) { return tnear + std::numeric_limits<float>::min(); }
 
+RTCRay embree_ray(const Ray& ray) {
+  RTCRay r;
+  r.org_x = ray.org.x;
+  r.org_y = ray.org.y;
+  r.org_z = ray.org.z;
+  r.tnear = behind(ray.tnear);
+  r.dir_x = ray.dir.x;
+  r.dir_y = ray.dir.y;
+  r.dir_z = ray.dir.z;
+  r.time = ray.time;
+  r.tfar = ray.tfar;
+  r.mask = ray.mask;
+  r.flags = 0;
+  return r;
+}
+
 }  // namespace
 
 Hit Accel::Impl::hit_of(const RTCHit& found, const Ray& ray) const {
@@ -41,18 +57,7 @@ void Accel::Impl::refine(const Ray& ray, Hit& hit) const {
 }
 
 bool Accel::Impl::occluded(RTCIntersectContext& context, const Ray& ray) const {
-  RTCRay query;
-  query.org_x = ray.org.x;
-  query.org_y = ray.org.y;
-  query.org_z = ray.org.z;
-  query.tnear = behind(ray.tnear);
-  query.dir_x = ray.dir.x;
-  query.dir_y = ray.dir.y;
-  query.dir_z = ray.dir.z;
-  query.time = ray.time;
-  query.tfar = ray.tfar;
-  query.mask = ray.mask;
-  query.flags = 0;
+  RTCRay query = embree_ray(ray);
   rtcOccluded1(top, &context, &query);
   return query.tfar < 0;
 }
@@ -80,17 +85,7 @@ bool Accel::intersect(const Ray& ray, Hit& hit) const {
   rtcInitIntersectContext(&context.embree);
   if (impl_->edges == Edges::Watertight) context.embree.filter = keep_nearest;
   RTCRayHit query;
-  query.ray.org_x = ray.org.x;
-  query.ray.org_y = ray.org.y;
-  query.ray.org_z = ray.org.z;
-  query.ray.tnear = behind(ray.tnear);
-  query.ray.dir_x = ray.dir.x;
-  query.ray.dir_y = ray.dir.y;
-  query.ray.dir_z = ray.dir.z;
-  query.ray.time = ray.time;
-  query.ray.tfar = ray.tfar;
-  query.ray.mask = ray.mask;
-  query.ray.flags = 0;
+  query.ray = embree_ray(ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_, &context.embree, &query);

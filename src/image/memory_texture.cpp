@@ -4,7 +4,6 @@
 
 #include "image/mip_pyramid.h"
 #include "image/texture.h"
-#include "image/texture_wrap.h"
 
 namespace oriel {
 namespace {
@@ -29,9 +28,7 @@ class MemoryTexture final : public Texture {
 
   Rgba sample(const Vec2& uv, const TextureFootprint& footprint,
               const TextureSampling& how) const override {
-    const auto u = wrapped(uv.x, how.wrap_u), v = wrapped(uv.y, how.wrap_v);
-    if (!u || !v) return Rgba(0, 0, 0, 0);
-    return pixels_.sample(*u, *v, footprint, how);
+    return pixels_.sample(uv, footprint, how);
   }
 
  private:

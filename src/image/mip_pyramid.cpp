@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 #include "base/math.h"
@@ -79,8 +80,20 @@ std::span<T> MipPyramid::row(int y) {
   return {reinterpret_cast<T*>(levels_[0].data.data()) + values * static_cast<std::size_t>(y),
           values};
 }
-template std::span<std::uint8_t> MipPyramid::row(int y);
-template std::span<float> MipPyramid::row(int y);
+std::span<std::uint8_t> MipPyramid::bytes_of_row(int y) { return row<std::uint8_t>(y); }
+std::span<float> MipPyramid::floats_of_row(int y) { return row<float>(y); }
+
+template <class F>
+auto MipPyramid::with_storage(const Level& level, F&& f) {
+  switch (level.storage) {
+    case Storage::Bytes:
+      return f(std::integral_constant<Storage, Storage::Bytes>());
+    case Storage::Halves:
+      return f(std::integral_constant<Storage, Storage::Halves>());
+    default:
+      return f(std::integral_constant<Storage, Storage::Floats>());
+  }
+}
 
 template <MipPyramid::Storage S>
 MipPyramid::Float4 MipPyramid::texel(const Level& level, std::size_t index) const {
@@ -93,17 +106,6 @@ MipPyramid::Float4 MipPyramid::texel(const Level& level, std::size_t index) cons
     return _mm_cvtph_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(at)));
   } else {
     return _mm_loadu_ps(reinterpret_cast<const float*>(at));
-  }
-}
-
-MipPyramid::Float4 MipPyramid::texel(const Level& level, std::size_t index) const {
-  switch (level.storage) {
-    case Storage::Bytes:
-      return texel<Storage::Bytes>(level, index);
-    case Storage::Halves:
-      return texel<Storage::Halves>(level, index);
-    default:
-      return texel<Storage::Floats>(level, index);
   }
 }
 
@@ -154,24 +156,14 @@ void MipPyramid::halve(const Level& fine, Level& coarse) const {
     }
 }
 
-void MipPyramid::halve(const Level& fine, Level& coarse) const {
-  switch (fine.storage) {
-    case Storage::Bytes:
-      return halve<Storage::Bytes>(fine, coarse);
-    case Storage::Halves:
-      return halve<Storage::Halves>(fine, coarse);
-    default:
-      return halve<Storage::Floats>(fine, coarse);
-  }
-}
-
 void MipPyramid::build() {
   Size size{format_.width, format_.height};
   while (!size.is_smallest()) {
     size = size.halved();
     levels_.push_back(make_level(size.width, size.height, format_.channels,
                                  format_.bytes ? Storage::Halves : Storage::Floats));
-    halve(levels_[levels_.size() - 2], levels_.back());
+    const Level& fine = levels_[levels_.size() - 2];
+    with_storage(fine, [&](auto storage) { halve<storage>(fine, levels_.back()); });
   }
 }
 
@@ -180,8 +172,9 @@ MipPyramid::Float4 MipPyramid::nearest(const Level& level, float u, float v,
   const auto index = [](float x, int size, Wrap mode) {
     return wrapped_index(static_cast<int>(std::floor(x * static_cast<float>(size))), size, mode);
   };
-  return texel(level, texels(level.width, index(v, level.height, how.wrap_v)) +
-                          static_cast<std::size_t>(index(u, level.width, how.wrap_u)));
+  const std::size_t at = texels(level.width, index(v, level.height, how.wrap_v)) +
+                         static_cast<std::size_t>(index(u, level.width, how.wrap_u));
+  return with_storage(level, [&](auto storage) { return texel<storage>(level, at); });
 }
 
 template <MipPyramid::Storage S>
@@ -208,14 +201,7 @@ MipPyramid::Float4 MipPyramid::bilinear(const Level& level, float u, float v,
 
 MipPyramid::Float4 MipPyramid::bilinear(const Level& level, float u, float v,
                                         const TextureSampling& how) const {
-  switch (level.storage) {
-    case Storage::Bytes:
-      return bilinear<Storage::Bytes>(level, u, v, how);
-    case Storage::Halves:
-      return bilinear<Storage::Halves>(level, u, v, how);
-    default:
-      return bilinear<Storage::Floats>(level, u, v, how);
-  }
+  return with_storage(level, [&](auto storage) { return bilinear<storage>(level, u, v, how); });
 }
 
 MipPyramid::Float4 MipPyramid::trilinear(float u, float v, float level,
@@ -227,12 +213,14 @@ MipPyramid::Float4 MipPyramid::trilinear(float u, float v, float level,
   return t > 0 ? a * (1 - t) + bilinear(levels_[fine + 1], u, v, how) * t : a;
 }
 
-Rgba MipPyramid::sample(float u, float v, const TextureFootprint& footprint,
+Rgba MipPyramid::sample(const Vec2& uv, const TextureFootprint& footprint,
                         const TextureSampling& how) const {
+  const auto u = wrapped(uv.x, how.wrap_u), v = wrapped(uv.y, how.wrap_v);
+  if (!u || !v) return Rgba(0, 0, 0, 0);
   const auto color = [&](const Float4& c) {
     return color_of_channels(reinterpret_cast<const float*>(&c), format_.channels);
   };
-  if (how.interpolation == Interpolation::Nearest) return color(nearest(levels_[0], u, v, how));
+  if (how.interpolation == Interpolation::Nearest) return color(nearest(levels_[0], *u, *v, how));
 
   // The footprint in texels: the shorter axis selects the mip level, probes are placed along the
   // longer one.
@@ -244,7 +232,7 @@ Rgba MipPyramid::sample(float u, float v, const TextureFootprint& footprint,
     std::swap(major, minor);
     std::swap(longer, shorter);
   }
-  if (longer <= 1) return color(bilinear(levels_[0], u, v, how));
+  if (longer <= 1) return color(bilinear(levels_[0], *u, *v, how));
   const float most = std::clamp(how.anisotropy, 1.0f, 64.0f);
   const float width = std::max({shorter, longer / most, 1.0f});
   const int probes =
@@ -254,7 +242,7 @@ Rgba MipPyramid::sample(float u, float v, const TextureFootprint& footprint,
   const float level = math::log2(width);
   for (int i = 0; i < probes; ++i) {
     const float t = (static_cast<float>(i) + 0.5f) / static_cast<float>(probes) - 0.5f;
-    sum += trilinear(u + major.x * t, v + major.y * t, level, how);
+    sum += trilinear(*u + major.x * t, *v + major.y * t, level, how);
   }
   return color(sum * (1.0f / static_cast<float>(probes)));
 }

@@ -22,7 +22,8 @@ struct PictureFormat {
   float gamma = 1;         ///< decoded values are value^gamma, except alpha
 };
 
-/// The colour of the values of 1 to 4 channels: grey, grey and alpha, RGB, or RGB and alpha.
+/// Converts values to a colour. Inputs:  channels: 1 = grey, 2 = grey and alpha, 3 = RGB, 4 = RGB
+/// and alpha.
 inline Rgba color_of_channels(const float* c, int channels) {
   switch (channels) {
     case 1:
@@ -52,14 +53,13 @@ class MipPyramid {
   MipPyramid(const MipPyramid&) = delete;
   MipPyramid& operator=(const MipPyramid&) = delete;
   /// The values of a row of the finest level: bytes, or floats. Inputs:  y: 0 at the bottom.
-  std::span<std::uint8_t> bytes_of_row(int y) { return row<std::uint8_t>(y); }
-  std::span<float> floats_of_row(int y) { return row<float>(y); }
+  std::span<std::uint8_t> bytes_of_row(int y);
+  std::span<float> floats_of_row(int y);
   /// Computes the coarser levels.
   void build();
 
-  /// The filtered colour. Inputs:  u, v: as wrapped() returns them.
-  Rgba sample(float u, float v, const TextureFootprint& footprint,
-              const TextureSampling& how) const;
+  /// As Texture::sample().
+  Rgba sample(const Vec2& uv, const TextureFootprint& footprint, const TextureSampling& how) const;
 
  private:
   enum class Storage : std::uint8_t { Bytes, Halves, Floats };
@@ -75,8 +75,10 @@ class MipPyramid {
   template <class T>
   std::span<T> row(int y);
   void set(Level& level, std::size_t texel, const Float4& values) const;
+  /// Calls f with the storage of the level as a constant.
+  template <class F>
+  static auto with_storage(const Level& level, F&& f);
   template <Storage S>
-  void halve(const Level& fine, Level& coarse) const;
   void halve(const Level& fine, Level& coarse) const;
   template <Storage S>
   Float4 texel(const Level& level, std::size_t index) const;
@@ -84,7 +86,6 @@ class MipPyramid {
   Float4 bilinear(const Level& level, float u, float v, const TextureSampling& how) const;
   Float4 bilinear(const Level& level, float u, float v, const TextureSampling& how) const;
   Float4 nearest(const Level& level, float u, float v, const TextureSampling& how) const;
-  Float4 texel(const Level& level, std::size_t index) const;
   Float4 trilinear(float u, float v, float level, const TextureSampling& how) const;
 
   PictureFormat format_;

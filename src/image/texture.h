@@ -41,7 +41,6 @@ struct TextureSampling {
 /// the full resolution is interpolated.
 struct TextureFootprint {
   Vec2 dx{0, 0}, dy{0, 0};
-  bool is_null() const { return dx.x == 0 && dx.y == 0 && dy.x == 0 && dy.y == 0; }
 };
 
 class Texture {

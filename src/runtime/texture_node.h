@@ -37,8 +37,8 @@ class TextureNode {
   /// Size in pixels; 0 if it is procedural or missing.
   int width() const { return texture_ ? texture_->width() : 0; }
   int height() const { return texture_ ? texture_->height() : 0; }
-  /// Keeps the picture in memory, even if the budget of textures is used up, but not one that is
-  /// far too large: for environments. See Texture::keep_pixels().
+  /// For pictures of environments: keeps the picture in memory (Texture::keep_pixels()) even if the
+  /// budget of textures is used up, unless it is larger than kMostBytes.
   void keep_pixels() {
     constexpr std::uint64_t kMostBytes = std::uint64_t{160} << 20;  // RGB of 4096 x 2048: 128
     if (texture_ && texture_->bytes_to_keep() <= kMostBytes) texture_->keep_pixels();

@@ -37,14 +37,22 @@ void pass(const Material& material, const Closure& closure, ShadingPoint& blocke
     open.all = filter_light(material, blocker, before);
     for (int k = 0; k < 3; ++k) open.clear[k] *= before[k] > 0 ? open.all[k] / before[k] : 0;
   }
-  if (!material.filters_shadows() || !material.shadow_surface.empty()) {
-    const Transmittance here = straight_transmission(closure, options);
-    open.all *= here.all;
-    open.clear *= here.clear;
-    open.cut_outs *= here.cut_outs;
-  }
+  if (!material.filters_shadows() || !material.shadow_surface.empty())
+    open *= straight_transmission(closure, options);
   // Rays that see the surface ignore its shadow replacement.
   if (material.filters_shadows()) open.cut_outs = Rgb(0);
+}
+
+/// Shades a blocker of a shadow ray from the point. Returns its material.
+const Material& shade_hit(const World& world, const ShadingPoint& point, const geom::Ray& ray,
+                          const geom::Hit& hit, int light, ShadingPoint& blocker,
+                          Closure& closure) {
+  fill_point(world, ray, hit, {}, RayKind::Shadow, blocker);
+  blocker.raster = point.raster;
+  blocker.light = light;
+  const Material& material = material_of(world, hit);
+  shade_blocker(material, blocker, closure);
+  return material;
 }
 
 /// Shades the transparent blockers of a shadow ray where one traversal of the scene meets them,
@@ -56,15 +64,11 @@ class BlockersInAnyOrder final : public geom::BlockTest {
       : world_(world), point_(point), ray_(ray), light_(light) {}
 
   bool blocks(const geom::Hit& hit) override {
-    const Material& material = material_of(world_, hit);
-    in_order_ |= material.filters_shadows();
+    in_order_ |= material_of(world_, hit).filters_shadows();
     if (in_order_) return false;
     ShadingPoint at;
-    fill_point(world_, ray_, hit, {}, RayKind::Shadow, at);
-    at.raster = point_.raster;
-    at.light = light_;
     Closure closure;
-    shade_blocker(material, at, closure);
+    shade_hit(world_, point_, ray_, hit, light_, at, closure);
     const Transmittance here = straight_transmission(closure, world_.options);
     if (max_component(here.all) <= 0 || count_ == kMaxShadowBlockers) return true;
     if (here.all == Rgb(1) && here.cut_outs == Rgb(1)) return false;
@@ -93,9 +97,7 @@ class BlockersInAnyOrder final : public geom::BlockTest {
     for (auto p = passed_.begin(); p != end; ++p) {
       if (p->t < from) continue;
       from = p->next;
-      open.all *= p->all;
-      open.clear *= p->clear;
-      open.cut_outs *= p->cut_outs;
+      open *= {p->all, p->clear, p->cut_outs};
     }
     return max_component(open.all) > 0 ? open : kClosed;
   }
@@ -185,11 +187,7 @@ Transmittance transparent_transmittance(const World& world, const ShadingPoint& 
   geom::Ray ray = leave(point, wi, short_of_light(distance), geom::RayMask::ShadowTransparent);
   const bool segments = world.options.shadow == scene::ShadowMode::Segments;
   Transmittance open;
-  const auto dim = [&](const Rgb& t) {
-    open.all *= t;
-    open.clear *= t;
-    open.cut_outs *= t;
-  };
+  const auto dim = [&](const Rgb& t) { open *= {t, t, t}; };
   MediumOnWay way;
   way.begin_in(volume_around(world, ray));
   Vec3 left = point.position;
@@ -205,12 +203,8 @@ Transmittance transparent_transmittance(const World& world, const ShadingPoint& 
       return open;
     }
     ShadingPoint blocker;
-    fill_point(world, ray, hit, {}, RayKind::Shadow, blocker);
-    blocker.raster = point.raster;
-    blocker.light = light;
-    const Material& material = material_of(world, hit);
     Closure closure;
-    shade_blocker(material, blocker, closure);
+    const Material& material = shade_hit(world, point, ray, hit, light, blocker, closure);
     way.meet_surface(closure, blocker);
     if (way.volume)
       dim(volume_transmittance(world, *way.volume, left, wi, length(blocker.position - left)));

@@ -12,6 +12,12 @@ struct Transmittance {
   Rgb all{1};       ///< straight through all transparency
   Rgb clear{1};     ///< the same with rough transparency as opaque
   Rgb cut_outs{1};  ///< through cut-outs only
+  Transmittance& operator*=(const Transmittance& next) {
+    all *= next.all;
+    clear *= next.clear;
+    cut_outs *= next.cut_outs;
+    return *this;
+  }
 };
 
 /// Computes the transmittance between a point and a light.

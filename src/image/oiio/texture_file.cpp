@@ -105,16 +105,6 @@ OIIO::TextureOpt::Wrap wrap_of(Wrap mode) {
   return OIIO::TextureOpt::WrapClamp;
 }
 
-OIIO::TextureOpt::InterpMode interpolation_of(Interpolation mode) {
-  switch (mode) {
-    case Interpolation::Nearest:
-      return OIIO::TextureOpt::InterpClosest;
-    case Interpolation::Bilinear:
-      break;
-  }
-  return OIIO::TextureOpt::InterpBilinear;
-}
-
 /// Whether the pixels fill the picture.
 bool is_whole(const PixelLevel& l) {
   return l.x == 0 && l.y == 0 && l.width == l.full_width && l.height == l.full_height &&
@@ -141,20 +131,24 @@ class TextureFile final : public Texture {
 
   Rgba sample(const Vec2& uv, const TextureFootprint& footprint,
               const TextureSampling& how) const override {
+    if (const MipPyramid* picture = ready_.load(std::memory_order_acquire))
+      return picture->sample(uv, footprint, how);
     const auto u = wrapped(uv.x, how.wrap_u), v = wrapped(uv.y, how.wrap_v);
     if (!u || !v) return Rgba(0, 0, 0, 0);
     if (keeps_) {
       std::call_once(once_, [this] { read(); });
-      return kept_ ? kept_->sample(*u, *v, footprint, how) : Rgba(1, 0, 1, 1);
+      return kept_ ? kept_->sample(uv, footprint, how) : Rgba(1, 0, 1, 1);
     }
     float c[4] = {0, 0, 0, 0};
     OIIO::TextureOpt options;
     options.swrap = wrap_of(how.wrap_u);
     options.twrap = wrap_of(how.wrap_v);
-    options.interpmode = interpolation_of(how.interpolation);
+    options.interpmode = OIIO::TextureOpt::InterpBilinear;
     options.anisotropic = int(std::clamp(how.anisotropy, 1.0f, 64.0f));
-    if (how.interpolation == Interpolation::Nearest)
+    if (how.interpolation == Interpolation::Nearest) {
+      options.interpmode = OIIO::TextureOpt::InterpClosest;
       options.mipmode = OIIO::TextureOpt::MipModeNoMIP;
+    }
 
     // The t axis of OpenImageIO starts at the top row.
     const auto turn = open_files().turn();
@@ -183,10 +177,12 @@ class TextureFile final : public Texture {
   void read() const {
     try {
       kept_ = kept_pictures().find(name_.string());
-      if (kept_) return;
-      kept_ = read_picture(path_, level_, format());
-      kept_pictures().add(name_.string(), kept_, bytes_to_keep(),
-                          level_.row_bytes() * static_cast<std::uint64_t>(level_.height));
+      if (!kept_) {
+        kept_ = read_picture(path_, level_, format());
+        kept_pictures().add(name_.string(), kept_, bytes_to_keep(),
+                            level_.row_bytes() * static_cast<std::uint64_t>(level_.height));
+      }
+      ready_.store(kept_.get(), std::memory_order_release);
     } catch (const std::exception& e) {
       fail(e.what());
     }
@@ -213,6 +209,7 @@ class TextureFile final : public Texture {
   bool may_keep_, keeps_ = false;
   mutable std::once_flag once_;
   mutable std::shared_ptr<const MipPyramid> kept_;
+  mutable std::atomic<const MipPyramid*> ready_{nullptr};  ///< kept_, for lookups without call_once
   mutable std::atomic<bool> failed_{false};
   mutable std::mutex mutex_;
   mutable std::string error_;
