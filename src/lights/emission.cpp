@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include "base/parallel.h"
 #include "color/luminance.h"
 #include "geom/motion.h"
+#include "lights/open_sides.h"
 #include "runtime/fill_point.h"
 #include "runtime/tracer.h"
 
@@ -146,6 +148,10 @@ namespace {
 constexpr Vec2 kPlaces[] = {
     {1 / 3.0f, 1 / 3.0f}, {1 / 6.0f, 1 / 6.0f}, {2 / 3.0f, 1 / 6.0f}, {1 / 6.0f, 2 / 3.0f}};
 constexpr std::size_t kLargeMesh = 50000;
+/// Groups of triangles whose sides are probed, over all instances; at least one for each of them.
+constexpr std::size_t kGroups = 4096;
+/// Share of its light that an enclosed side counts with, at least.
+constexpr float kLeastOpen = 1 / 64.0f;
 
 /// The tree uses only the box: a few times are enough.
 void extend_over_time(const World& world, std::uint32_t instance, std::uint32_t triangle,
@@ -183,8 +189,20 @@ struct EmissiveInstance {
   double power = 0, power_times_radiance = 0, area = 0;  ///< double: millions of terms
 };
 
+/// Sets the side that shines to open places, and how much the other one does beside it.
+void set_sides(const Sides& sides, const OpenSides::Shares& open, const Vec3& front,
+               LightBounds& bounds) {
+  const float a = sides.front * std::max(open.front, kLeastOpen),
+              b = sides.back * std::max(open.back, kLeastOpen);
+  bounds.normals = {a >= b ? front : -front, 1};
+  bounds.cos_reach = 0;
+  bounds.behind = std::min(a, b) / std::max(a, b);
+}
+
+/// Inputs:  groups: of neighbouring triangles, whose sides are probed together.
 EmissiveInstance emissive_triangles(const World& world, std::uint32_t instance,
-                                    const std::vector<EmissionKind>& materials) {
+                                    const std::vector<EmissionKind>& materials,
+                                    std::size_t groups) {
   EmissiveInstance out;
   out.instance = instance;
   const geom::InstanceDesc& desc = world.accel->instance(instance);
@@ -202,6 +220,11 @@ EmissiveInstance emissive_triangles(const World& world, std::uint32_t instance,
         sides[i] = sides_of(world, world.materials[m], instance, t, places);
     }
   });
+  const bool moves = !desc.path.empty() || !mesh.keys.empty();
+  std::optional<OpenSides> open;
+  if (!moves && std::any_of(sides.begin(), sides.end(),
+                            [](const Sides& s) { return s.front > 0 && s.back > 0; }))
+    open.emplace(world, instance, materials, groups);
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const Sides& g = sides[i];
     const auto t = static_cast<std::uint32_t>(i);
@@ -213,10 +236,10 @@ EmissiveInstance emissive_triangles(const World& world, std::uint32_t instance,
     LightBounds b;
     for (const Vec3& p : {corners.a, corners.b, corners.c}) b.box.extendBy(p);
     b.falling = brightest * area;
-    const bool moves = !desc.path.empty() || !mesh.keys.empty();
-    if (moves) extend_over_time(world, instance, t, b.box);
-    // The normal of a moving triangle changes.
-    if ((g.front == 0 || g.back == 0) && !moves) {
+    if (moves) {
+      // The normal of a moving triangle changes.
+      extend_over_time(world, instance, t, b.box);
+    } else {
       // The front is where the accel's normal points, which mirrored instances turn over.
       geom::Hit hit;
       hit.u = hit.v = 1 / 3.0f;
@@ -224,8 +247,8 @@ EmissiveInstance emissive_triangles(const World& world, std::uint32_t instance,
       hit.primitive = t;
       geom::SurfacePoint surface;
       world.accel->interpolate(hit, surface);
-      b.normals = {g.back == 0 ? surface.ng : -surface.ng, 1};
-      b.cos_reach = 0;
+      set_sides(g, open ? open->at(t) : OpenSides::Shares{1, 1}, surface.ng, b);
+      b.thickness = std::abs(dot(surface.ng, b.box.center() - corners.a));
     }
     out.triangles.push_back({instance, t, power});
     out.bounds.push_back(b);
@@ -239,7 +262,11 @@ EmissiveInstance emissive_triangles(const World& world, std::uint32_t instance,
 }  // namespace
 
 MeshLights mesh_lights_of(const World& world, const std::vector<EmissionKind>& materials) {
-  std::vector<EmissiveInstance> found;
+  const auto triangles_of = [&](std::uint32_t instance) {
+    return world.accel->mesh(world.accel->instance(instance).mesh).triangles.size();
+  };
+  std::vector<std::uint32_t> emitters;
+  std::size_t all = 0;
   for (std::uint32_t i = 0; i < world.accel->instance_count(); ++i) {
     const geom::InstanceDesc& desc = world.accel->instance(i);
     const std::vector<int>& worn = world.instances[desc.user].materials;
@@ -248,7 +275,13 @@ MeshLights mesh_lights_of(const World& world, const std::vector<EmissionKind>& m
           return materials[static_cast<std::size_t>(m)] == EmissionKind::Source;
         }))
       continue;
-    if (EmissiveInstance g = emissive_triangles(world, i, materials); !g.triangles.empty())
+    emitters.push_back(i);
+    all += triangles_of(i);
+  }
+  std::vector<EmissiveInstance> found;
+  for (const std::uint32_t i : emitters) {
+    const std::size_t groups = all > kGroups ? kGroups * triangles_of(i) / all : triangles_of(i);
+    if (EmissiveInstance g = emissive_triangles(world, i, materials, groups); !g.triangles.empty())
       found.push_back(std::move(g));
   }
   // The brightest first: there is a limit.
@@ -261,8 +294,7 @@ MeshLights mesh_lights_of(const World& world, const std::vector<EmissionKind>& m
   double power = 0, power_times_radiance = 0;
   for (EmissiveInstance& g : found) {
     if (triangles.size() + g.triangles.size() > kMaxEmissiveTriangles) continue;
-    of_instance[g.instance] = static_cast<std::uint32_t>(
-        world.accel->mesh(world.accel->instance(g.instance).mesh).triangles.size());
+    of_instance[g.instance] = static_cast<std::uint32_t>(triangles_of(g.instance));
     triangles.insert(triangles.end(), g.triangles.begin(), g.triangles.end());
     bounds.insert(bounds.end(), g.bounds.begin(), g.bounds.end());
     power += g.power;

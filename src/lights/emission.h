@@ -15,12 +15,6 @@ namespace oriel {
 struct TriangleCorners {
   Vec3 a, b, c;
   Vec3 normal_times_area() const { return cross(b - a, c - a) * 0.5f; }
-  float area() const { return length(normal_times_area()); }
-  /// Evenly spread for u in [0,1)^2.
-  Vec3 at(Vec2 u) const {
-    const float s = std::sqrt(u.x);
-    return a * (1 - s) + b * (s * (1 - u.y)) + c * (s * u.y);
-  }
 };
 TriangleCorners corners_of(const World& world, std::uint32_t instance, std::uint32_t primitive,
                            float time);

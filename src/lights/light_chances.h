@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <span>
 
+#include "base/vec.h"
+
 namespace oriel {
 
 /// Probabilities of the lights of one set of the light sampler; borrowed.
@@ -16,6 +18,16 @@ struct LightChances {
   /// wrong choice multiplies the noise at most by its reciprocal.
   float unlearned = 1;
 
+  /// Whether a sample ignores them. Inputs:  u: uniform in [0,1); returns a new uniform number.
+  bool ignored(float& u) const {
+    const bool is = u < unlearned;
+    u = std::min(is ? u / unlearned : (u - unlearned) / (1 - unlearned), 0x1.fffffep-1f);
+    return is;
+  }
+  /// Probability of a light that the light tree chooses with probability `by_tree`.
+  float mixed(std::size_t light, float by_tree) const {
+    return lerp(probability[light], by_tree, unlearned);
+  }
   explicit operator bool() const { return !probability.empty(); }
   /// Inputs:  u: uniform in [0,1); returns a new uniform number.
   std::size_t choose(float& u) const {

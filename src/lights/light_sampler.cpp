@@ -9,6 +9,7 @@
 #include "lights/emission.h"
 #include "lights/light_bounds.h"
 #include "runtime/world.h"
+#include "sampling/triangle.h"
 
 namespace oriel {
 namespace {
@@ -16,8 +17,6 @@ namespace {
 /// Lights are weighed as if each had at least this share of the mean: shaders may shine where they
 /// were not evaluated.
 constexpr float kMinShare = 0.02f;
-/// Triangles seen nearly edge-on are left to rays.
-constexpr float kMinTriangleCosine = 1e-5f;
 
 /// Portals know the openings through which the environment shines, so a vertex after a diffuse
 /// bounce samples other directions less often: most of them are blocked. A guess.
@@ -123,10 +122,7 @@ bool LightSampler::needs_random(const LitVertex& at) const {
 float LightSampler::Set::expected_samples(const LitPoint& lit, const LightChances& chances,
                                           int light) const {
   if (size() <= sample_all) return 1;
-  if (chances) {
-    return lerp(chances.probability[place_of(light)], tree.probability(lit, light),
-                chances.unlearned);
-  }
+  if (chances) return chances.mixed(place_of(light), tree.probability(lit, light));
   return tree.empty() ? 1 / static_cast<float>(size()) : tree.probability(lit, light);
 }
 
@@ -197,37 +193,45 @@ std::optional<EnvironmentDirection> LightSampler::sample_environment(const LitVe
   return found;
 }
 
-std::optional<TriangleSample> LightSampler::sample_triangle(const LitPoint& at, float time,
+std::optional<TriangleSample> LightSampler::sample_triangle(const LitPoint& at,
+                                                            const LightChances& chances, float time,
                                                             Vec2 u_choice, Vec2 u_place) const {
-  const auto chosen = mesh_lights_.choose(at, u_choice);
+  return place_on(mesh_lights_.choose(at, chances, u_choice), at, time, u_place);
+}
+
+std::optional<TriangleSample> LightSampler::sample_part(std::size_t part, const LitPoint& at,
+                                                        float time, Vec2 u_choice,
+                                                        Vec2 u_place) const {
+  return place_on(mesh_lights_.choose_of(part, at, u_choice), at, time, u_place);
+}
+
+std::optional<TriangleSample> LightSampler::place_on(
+    const std::optional<MeshLights::Choice>& chosen, const LitPoint& at, float time, Vec2 u) const {
   if (!chosen) return std::nullopt;
-  const TriangleCorners triangle = corners_of(world_, chosen->instance, chosen->primitive, time);
-  const Vec3 to = triangle.at(u_place) - at.position;
-  const float d2 = to.length2();
-  if (!(d2 > 0)) return std::nullopt;
+  const TriangleCorners corners = corners_of(world_, chosen->instance, chosen->primitive, time);
+  const sampling::SphericalTriangle triangle(at.position, corners.a, corners.b, corners.c);
+  const auto placed = triangle.sample(u);
+  if (!(placed.pdf > 0)) return std::nullopt;
   TriangleSample sample;
-  sample.distance = std::sqrt(d2);
-  sample.wi = to / sample.distance;
-  const float projected = std::abs(dot(sample.wi, triangle.normal_times_area()));
-  if (!(projected > kMinTriangleCosine * triangle.area())) return std::nullopt;
-  sample.pdf = chosen->probability * d2 / projected;
+  sample.wi = placed.wi;
+  sample.distance = placed.distance;
+  sample.pdf = chosen->probability * placed.pdf;
   sample.instance = chosen->instance;
   sample.primitive = chosen->primitive;
   return sample;
 }
 
-float LightSampler::triangle_pdf(const LitPoint& at, float time, std::uint32_t instance,
-                                 std::uint32_t primitive, const Vec3& found,
+float LightSampler::triangle_pdf(const LitPoint& at, const LightChances& chances, float time,
+                                 std::uint32_t instance, std::uint32_t primitive, const Vec3& found,
                                  const Vec3& direction) const {
   // Emissive hair has no triangles.
   const geom::Mesh& mesh = world_.accel->mesh(world_.accel->instance(instance).mesh);
   if (primitive >= mesh.triangles.size()) return 0;
-  const float chosen = mesh_lights_.probability(at, instance, primitive);
+  const float chosen = mesh_lights_.probability(at, chances, instance, primitive);
   if (!(chosen > 0)) return 0;
-  const TriangleCorners triangle = corners_of(world_, instance, primitive, time);
-  const float projected = std::abs(dot(direction, triangle.normal_times_area()));
-  if (!(projected > kMinTriangleCosine * triangle.area())) return 0;
-  return chosen * (found - at.position).length2() / projected;
+  const TriangleCorners corners = corners_of(world_, instance, primitive, time);
+  const sampling::SphericalTriangle triangle(at.position, corners.a, corners.b, corners.c);
+  return chosen * triangle.pdf(direction, length(found - at.position));
 }
 
 }  // namespace oriel

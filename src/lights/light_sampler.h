@@ -169,16 +169,22 @@ class LightSampler {
   // Emissive triangles
 
   const MeshLights& mesh_lights() const { return mesh_lights_; }
-  /// A point of a triangle; nothing where that is seen edge-on. Inputs:  u_choice, u_place: uniform
-  /// in [0,1)^2.
-  std::optional<TriangleSample> sample_triangle(const LitPoint& at, float time, Vec2 u_choice,
-                                                Vec2 u_place) const;
+  /// A point of a triangle; nothing where that is seen edge-on. Inputs:  chances: of the parts of
+  /// the mesh lights, or none; u_choice, u_place: uniform in [0,1)^2.
+  std::optional<TriangleSample> sample_triangle(const LitPoint& at, const LightChances& chances,
+                                                float time, Vec2 u_choice, Vec2 u_place) const;
   /// Inputs:  found: where a ray along `direction` hit the primitive. Returns 0 for primitives that
   /// are not sampled.
-  float triangle_pdf(const LitPoint& at, float time, std::uint32_t instance,
-                     std::uint32_t primitive, const Vec3& found, const Vec3& direction) const;
+  float triangle_pdf(const LitPoint& at, const LightChances& chances, float time,
+                     std::uint32_t instance, std::uint32_t primitive, const Vec3& found,
+                     const Vec3& direction) const;
+  /// A point of a triangle of one part of the mesh lights, likewise.
+  std::optional<TriangleSample> sample_part(std::size_t part, const LitPoint& at, float time,
+                                            Vec2 u_choice, Vec2 u_place) const;
 
  private:
+  std::optional<TriangleSample> place_on(const std::optional<MeshLights::Choice>& chosen,
+                                         const LitPoint& at, float time, Vec2 u) const;
   enum : std::size_t { kInfinite, kFinite, kPortals, kSets };
   static constexpr int kSampleAll = 4, kSampleAllPortals = 1;
   /// Lights of which all are sampled if they are few, else one.
@@ -224,15 +230,11 @@ void LightSampler::Set::sample(const LitPoint& lit, const LightChances& chances,
   if (size() <= sample_all) {
     for (const int light : lights) f(light, 1.0f);
   } else if (chances) {
-    const float by_tree = chances.unlearned;
     int light = -1;
-    if (u < by_tree) {
-      u = std::min(u / by_tree, 0x1.fffffep-1f);
-      if (const auto choice = tree.choose(lit, u)) light = choice->light;
-    } else {
-      u = std::min((u - by_tree) / (1 - by_tree), 0x1.fffffep-1f);
+    if (!chances.ignored(u))
       light = lights[chances.choose(u)];
-    }
+    else if (const auto choice = tree.choose(lit, u))
+      light = choice->light;
     if (light >= 0) f(light, expected_samples(lit, chances, light));
   } else if (tree.empty()) {
     const float scaled = u * static_cast<float>(size());

@@ -263,18 +263,18 @@ TEST(LightSampler, TrianglesAreFoundWithTheirDensity) {
   for (int i = 0; i < kDraws; ++i) {
     sampling::Sampler random(i, 0, 0);
     const Vec2 u_choice = random.next_2d();
-    const auto s = sampler.sample_triangle(at, 0, u_choice, random.next_2d());
+    const auto s = sampler.sample_triangle(at, {}, 0, u_choice, random.next_2d());
     ASSERT_TRUE(s);
     const Vec3 found = s->wi * s->distance;
     ASSERT_NEAR(found.z, 1, 1e-5);
-    ASSERT_NEAR(sampler.triangle_pdf(at, 0, s->instance, s->primitive, found, s->wi) / s->pdf, 1,
-                1e-4);
+    ASSERT_NEAR(sampler.triangle_pdf(at, {}, 0, s->instance, s->primitive, found, s->wi) / s->pdf,
+                1, 1e-4);
     solid_angle += 1.0 / kDraws / static_cast<double>(s->pdf);
   }
   // A square of half side a at distance a: 4 asin(1 / 2).
   EXPECT_NEAR(solid_angle / (2 * M_PI / 3), 1, .02);
   const Vec3 beside = Vec3(0, -.9f, 1.5f);
-  EXPECT_EQ(sampler.triangle_pdf(at, 0, 0, 2, beside, normalize(beside)), 0) << "emits nothing";
+  EXPECT_EQ(sampler.triangle_pdf(at, {}, 0, 0, 2, beside, normalize(beside)), 0) << "emits nothing";
 }
 
 }  // namespace light_sampler_test

@@ -3,7 +3,9 @@
 // bounds a ray hits.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,6 +41,11 @@ struct LightBounds {
   geom::Box3 box;         ///< around the shape, world
   DirectionCone normals;  ///< of the emitting surface, or axes of cones
   float cos_reach = -1;   ///< of the largest angle to these at which it emits; -1 = any
+  /// Share of the strength with which a flat surface emits behind it as well, where cos_reach is 0.
+  float behind = 0;
+  /// A flat surface lies within this distance of the plane through the middle of the box; infinity
+  /// where it is not flat.
+  float thickness = std::numeric_limits<float>::infinity();
   // Irradiance facing it at distance d: even + falling / d^2.
   float even = 0, falling = 0;
   Opening opening;
@@ -54,16 +61,16 @@ struct LitPoint {
   Vec3 normal{0};
 };
 
-/// An estimate of the irradiance from what the bounds hold; 0 only where it cannot be lit.
-/// Source:  Conty Estevez, Kulla, "Importance Sampling of Many Lights with Adaptive Tree
-///          Splitting", Proc. ACM CGIT 1(2), 2018, eq. 3, without visibility.
-float importance(const LightBounds& bounds, const LitPoint& lit);
-
-/// A binary tree of lights, split so that lights of similar position and direction share a node.
+/// A tree of lights, split so that lights of similar position and direction share a node.
 ///
-/// Model:   each step descends into one child, with a probability proportional to its importance;
-///          depth and cost grow with the logarithm of the number of lights.
-/// Source:  as above, 4.4 (cost of a split by power, area and orientation).
+/// Model:   each step descends into one of up to eight children, with a probability proportional to
+///          its importance: an estimate of the irradiance from what its bounds hold, 0 only where
+///          it cannot be lit. Depth and cost grow with the logarithm of the number of lights.
+///          The cosines at the light and at the point are estimated means over the box and the cone
+///          of normals, not their largest values.
+/// Source:  Conty Estevez, Kulla, "Importance Sampling of Many Lights with Adaptive Tree
+///          Splitting", Proc. ACM CGIT 1(2), 2018, eq. 3, without visibility; 4.4 (cost of a split
+///          by power, area and orientation). Eight children by joining levels of a binary tree.
 /// Checked: LightTree.* (probabilities sum to one, choices follow them, lights that light a point
 ///          have one above 0).
 class LightTree {
@@ -78,10 +85,22 @@ class LightTree {
     int light;
     float probability;
   };
-  /// Inputs:  u: uniform in [0,1); returns a new uniform number.
-  std::optional<Choice> choose(const LitPoint& lit, float& u) const;
+  /// A node and all that is below it, or a light.
+  using Part = std::int32_t;
+  static constexpr Part kWhole = 0;
+  /// Inputs:  u: uniform in [0,1); returns a new uniform number; part: one of those below it.
+  std::optional<Choice> choose(const LitPoint& lit, float& u, Part part = kWhole) const;
   /// Probability with which choose() returns that light; 0 for lights of other trees.
-  float probability(const LitPoint& lit, int light) const;
+  float probability(const LitPoint& lit, int light) const {
+    return probability_of(lit, ~light, kWhole);
+  }
+  /// Probability with which choose() of a part gets to a part below it; 0 if that is not below it.
+  float probability_of(const LitPoint& lit, Part part, Part of) const;
+  /// At most `most` parts that hold all lights, divided where lights are strong and far apart.
+  std::vector<Part> parts(std::size_t most) const;
+  /// Calls f(light) for each light of a part.
+  template <class F>
+  void for_each_light(Part part, F&& f) const;
 
   /// Calls f(light) for each light whose box a ray hits within (0, t_most). `direction` need not
   /// be unit.
@@ -89,37 +108,65 @@ class LightTree {
   void for_each_on_way(const Vec3& from, const Vec3& direction, float t_most, F&& f) const;
 
  private:
-  struct Node : LightBounds {
-    int second = 0;  ///< index of the second child; the first follows the node
-    int light = -1;  ///< of a leaf
+  static constexpr int kWidth = 8;
+  using Lanes = float __attribute__((vector_size(kWidth * sizeof(float))));
+  /// A child of a node.
+  struct Place {
+    std::int32_t node = -1, lane = 0;
+  };
+  /// The bounds of up to eight children, one in each lane; lanes without a child have no strength.
+  struct Node {
+    Lanes x, y, z, radius2;  ///< of the sphere around the box
+    Lanes axis_x, axis_y, axis_z, cosine, sine, cos_reach, behind, thickness;
+    Lanes even, falling;
+    std::array<Part, kWidth> child;  ///< a node, or ~light
+    std::array<geom::Box3, kWidth> boxes;
+    int count = 0;
+    int openings = -1;  ///< place in openings_ of eight, if a child has one
+    bool any_behind = false;
+    Place parent;
   };
   struct Build;
-  static bool crosses(const Node& node, const Vec3& from, const Vec3& inverse, float t_most);
+  Lanes importances(const Node& node, const LitPoint& lit) const;
+  static bool crosses(const geom::Box3& box, const Vec3& from, const Vec3& inverse, float t_most);
 
-  static constexpr int kDeepest = 64;
   std::vector<Node> nodes_;
-  std::vector<std::uint64_t> ways_;  ///< by name: bit d = second child at depth d
-  std::vector<std::uint8_t> known_;  ///< by name: whether it is in this tree
+  std::vector<Opening> openings_;
+  std::vector<Place> places_;  ///< by name; no node if it is not in this tree
 };
+
+template <class F>
+void LightTree::for_each_light(Part part, F&& f) const {
+  if (part < 0) {
+    f(~part);
+    return;
+  }
+  const Node& node = nodes_[static_cast<std::size_t>(part)];
+  for (int k = 0; k < node.count; ++k) for_each_light(node.child[static_cast<std::size_t>(k)], f);
+}
 
 template <class F>
 void LightTree::for_each_on_way(const Vec3& from, const Vec3& direction, float t_most,
                                 F&& f) const {
   if (nodes_.empty()) return;
   const Vec3 inverse(1 / direction.x, 1 / direction.y, 1 / direction.z);
-  int waiting[kDeepest + 1];
-  int count = 0, at = 0;
-  while (true) {
-    const Node& node = nodes_[static_cast<std::size_t>(at)];
-    const bool met = crosses(node, from, inverse, t_most);
-    if (met && node.light < 0) {
-      waiting[count++] = node.second;
-      ++at;
+  Place at{0, 0};
+  // Without a stack: a node that is done is left to its parent.
+  while (at.node >= 0) {
+    const Node& node = nodes_[static_cast<std::size_t>(at.node)];
+    if (at.lane == node.count) {
+      at = {node.parent.node, node.parent.lane + 1};
       continue;
     }
-    if (met) f(node.light);
-    if (count == 0) return;
-    at = waiting[--count];
+    const auto lane = static_cast<std::size_t>(at.lane);
+    const std::int32_t child = node.child[lane];
+    const bool met = crosses(node.boxes[lane], from, inverse, t_most);
+    if (met && child >= 0) {
+      at = {child, 0};
+      continue;
+    }
+    if (met) f(~child);
+    ++at.lane;
   }
 }
 

@@ -91,32 +91,61 @@ MeshLights::MeshLights(std::vector<EmissiveTriangle> triangles, std::span<const 
   std::vector<int> names(whole.size());
   std::iota(names.begin(), names.end(), 0);
   tree_ = LightTree(whole, names);
+  parts_ = tree_.parts(kMaxParts);
+  part_of_.resize(whole.size());
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    tree_.for_each_light(parts_[p], [&](int cluster) {
+      part_of_[static_cast<std::size_t>(cluster)] = static_cast<std::uint8_t>(p);
+    });
 }
 
 float MeshLights::share_of(std::size_t triangle, std::size_t cluster) const {
   return shares_[triangle].until - (triangle > starts_[cluster] ? shares_[triangle - 1].until : 0);
 }
 
-std::optional<MeshLights::Choice> MeshLights::choose(const LitPoint& lit, Vec2 u) const {
-  const auto found = tree_.choose(lit, u.x);
-  if (!found) return std::nullopt;
-  const auto cluster = static_cast<std::size_t>(found->light);
+MeshLights::Choice MeshLights::in_cluster(const LightTree::Choice& found, float u) const {
+  const auto cluster = static_cast<std::size_t>(found.light);
   const auto begin = shares_.begin() + starts_[cluster],
              end = shares_.begin() + starts_[cluster + 1];
-  const auto at =
-      std::find_if(begin, end - 1, [&](const Share& share) { return u.y < share.until; });
+  const auto at = std::find_if(begin, end - 1, [&](const Share& share) { return u < share.until; });
   const auto triangle = static_cast<std::size_t>(at - shares_.begin());
-  return Choice{at->instance, at->primitive, found->probability * share_of(triangle, cluster)};
+  return {at->instance, at->primitive, found.probability * share_of(triangle, cluster)};
 }
 
-float MeshLights::probability(const LitPoint& lit, std::uint32_t instance,
-                              std::uint32_t primitive) const {
+std::optional<MeshLights::Choice> MeshLights::choose_of(std::size_t part, const LitPoint& lit,
+                                                        Vec2 u) const {
+  const auto found = tree_.choose(lit, u.x, parts_[part]);
+  if (!found) return std::nullopt;
+  return in_cluster(*found, u.y);
+}
+
+std::optional<MeshLights::Choice> MeshLights::choose(const LitPoint& lit,
+                                                     const LightChances& chances, Vec2 u) const {
+  LightTree::Part from = LightTree::kWhole;
+  if (chances && !chances.ignored(u.x)) from = parts_[chances.choose(u.x)];
+  auto found = tree_.choose(lit, u.x, from);
+  if (!found) return std::nullopt;
+  if (chances) found->probability = probability_of_cluster(lit, chances, found->light);
+  return in_cluster(*found, u.y);
+}
+
+float MeshLights::probability_of_cluster(const LitPoint& lit, const LightChances& chances,
+                                         int cluster) const {
+  if (!chances) return tree_.probability(lit, cluster);
+  const std::size_t part = part_of_[static_cast<std::size_t>(cluster)];
+  return chances.mixed(part, probability_of(part, lit)) *
+         tree_.probability_of(lit, ~cluster, parts_[part]);
+}
+
+float MeshLights::probability(const LitPoint& lit, const LightChances& chances,
+                              std::uint32_t instance, std::uint32_t primitive) const {
   if (instance >= first_.size() || first_[instance] == kNone) return 0;
   const std::uint32_t triangle = number_of_[first_[instance] + primitive];
   if (triangle == kNone) return 0;
   const auto after = std::upper_bound(starts_.begin(), starts_.end(), triangle);
   const auto cluster = static_cast<std::size_t>(after - starts_.begin()) - 1;
-  return tree_.probability(lit, static_cast<int>(cluster)) * share_of(triangle, cluster);
+  return probability_of_cluster(lit, chances, static_cast<int>(cluster)) *
+         share_of(triangle, cluster);
 }
 
 }  // namespace oriel

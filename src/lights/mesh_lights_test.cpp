@@ -53,7 +53,7 @@ TEST(MeshLights, ChancesSumToNearlyOneAndAreThoseOfTheChoices) {
       const LitPoint lit{Vec3(10 * u(engine), 10 * u(engine), -1), Vec3(0, 0, 1)};
       double sum = 0;  // double: thousands of terms
       for (const EmissiveTriangle& g : t.list)
-        sum += static_cast<double>(lights.probability(lit, g.instance, g.primitive));
+        sum += static_cast<double>(lights.probability(lit, {}, g.instance, g.primitive));
       // What the cones of several triangles together might light, though none of them does, ends
       // a few choices in nothing.
       if (n > 2) {
@@ -61,25 +61,73 @@ TEST(MeshLights, ChancesSumToNearlyOneAndAreThoseOfTheChoices) {
       }
       EXPECT_LT(sum, 1.001) << n;
       for (int i = 0; i < 200; ++i) {
-        const auto chosen = lights.choose(lit, Vec2(u(engine), u(engine)));
+        const auto chosen = lights.choose(lit, {}, Vec2(u(engine), u(engine)));
         if (!chosen) continue;
         EXPECT_NEAR(chosen->probability,
-                    lights.probability(lit, chosen->instance, chosen->primitive),
+                    lights.probability(lit, {}, chosen->instance, chosen->primitive),
                     1e-4f * chosen->probability);
       }
     }
   }
 }
 
+TEST(MeshLights, LearnedChancesOfPartsReplaceThoseOfTheTree) {
+  const Triangles t = random_triangles(3000, 4);
+  const MeshLights lights = lights_of(t);
+  ASSERT_GT(lights.parts(), 8u);
+  ASSERT_LE(lights.parts(), MeshLights::kMaxParts);
+  // Only the first parts, beside a share of the tree.
+  std::vector<float> probability(lights.parts()), until(lights.parts(), 1);
+  probability[0] = .75f, probability[1] = .25f, until[0] = .75f;
+  const LightChances chances{probability, until, .2f};
+  const LitPoint lit{Vec3(4, 5, 8), Vec3(0)};
+  std::mt19937 engine(7);
+  std::uniform_real_distribution<float> u;
+  // Triangles of a part have the share of the part.
+  std::vector<double> of_part(2);
+  std::vector<std::vector<bool>> seen(2, std::vector<bool>(3000));
+  const auto number = [](const MeshLights::Choice& c) {
+    return c.instance == 0 ? 2 * c.primitive : c.primitive + 1;
+  };
+  for (std::size_t part = 0; part < 2; ++part)
+    for (int i = 0; i < 20000; ++i) {
+      const auto chosen = lights.choose_of(part, lit, Vec2(u(engine), u(engine)));
+      ASSERT_TRUE(chosen);
+      if (seen[part][number(*chosen)]) continue;
+      seen[part][number(*chosen)] = true;
+      const float by_tree = lights.probability_of(part, lit);
+      EXPECT_NEAR(lights.probability(lit, {}, chosen->instance, chosen->primitive),
+                  by_tree * chosen->probability, 1e-4f * chosen->probability);
+      EXPECT_NEAR(lights.probability(lit, chances, chosen->instance, chosen->primitive),
+                  (.2f * by_tree + .8f * probability[part]) * chosen->probability,
+                  1e-4f * chosen->probability);
+      of_part[part] += static_cast<double>(chosen->probability);
+    }
+  EXPECT_NEAR(of_part[0], 1, .02);
+  EXPECT_NEAR(of_part[1], 1, .02);
+  int first = 0;
+  constexpr int kDraws = 20000;
+  for (int i = 0; i < kDraws; ++i) {
+    const auto chosen = lights.choose(lit, chances, Vec2(u(engine), u(engine)));
+    ASSERT_TRUE(chosen);
+    EXPECT_NEAR(chosen->probability,
+                lights.probability(lit, chances, chosen->instance, chosen->primitive),
+                1e-4f * chosen->probability);
+    first += seen[0][number(*chosen)];
+  }
+  const float expected = .8f * .75f + .2f * lights.probability_of(0, lit);
+  EXPECT_NEAR(first, kDraws * expected, 4 * std::sqrt(kDraws * expected * (1 - expected)));
+}
+
 TEST(MeshLights, NonEmissiveTrianglesAreNeverSampled) {
   const Triangles t = random_triangles(100, 3);
   const MeshLights lights = lights_of(t);
   const LitPoint lit{Vec3(5, 5, -1), Vec3(0)};
-  EXPECT_GT(lights.probability(lit, 1, 0), 0);
-  EXPECT_EQ(lights.probability(lit, 1, 1), 0) << "a triangle between";
-  EXPECT_EQ(lights.probability(lit, 2, 0), 0) << "an instance that does not emit";
-  EXPECT_FALSE(MeshLights().choose(lit, Vec2(.5f)));
-  EXPECT_EQ(MeshLights().probability(lit, 0, 0), 0);
+  EXPECT_GT(lights.probability(lit, {}, 1, 0), 0);
+  EXPECT_EQ(lights.probability(lit, {}, 1, 1), 0) << "a triangle between";
+  EXPECT_EQ(lights.probability(lit, {}, 2, 0), 0) << "an instance that does not emit";
+  EXPECT_FALSE(MeshLights().choose(lit, {}, Vec2(.5f)));
+  EXPECT_EQ(MeshLights().probability(lit, {}, 0, 0), 0);
 }
 
 TEST(MeshLights, DistantTrianglesAreInDifferentClusters) {
@@ -97,7 +145,7 @@ TEST(MeshLights, DistantTrianglesAreInDifferentClusters) {
   const MeshLights lights = lights_of(t);
   double near = 0;  // double: thousands of terms
   for (std::uint32_t i = 0; i < 20000; ++i)
-    near += static_cast<double>(lights.probability({Vec3(0, 0, 1), Vec3(0)}, 0, i));
+    near += static_cast<double>(lights.probability({Vec3(0, 0, 1), Vec3(0)}, {}, 0, i));
   EXPECT_GT(near, .999);
 }
 

@@ -197,6 +197,7 @@ void CachedIntegrator::trace(const Camera::Ray& eye, Vec2 raster, float paths_of
   settings.guide = learned_.guide.empty() ? nullptr : &learned_.guide;
   settings.diffuse_rays = learned_.diffuse_rays;
   settings.lights = learned_.lights.empty() ? nullptr : &learned_.lights;
+  settings.emitters = learned_.emitters.empty() ? nullptr : &learned_.emitters;
   trace_path(world_, eye, raster, settings, record, sampler, counts);
 }
 

@@ -90,14 +90,26 @@ class BestSettings {
   PilotPaths pilots_;
 };
 
+/// Samples of each of so many lights at a point.
+int light_samples(const IntegratorPreparation& p, const Bounces& records, std::size_t lights) {
+  const double rays =
+      p.paths * kLightRaysForEachPath / (double(records.points.size()) * double(lights));
+  return static_cast<int>(std::clamp(rays, 1.0, kMostSamples));
+}
+
 LearnedLights learn_lights(const World& world, const IntegratorPreparation& p,
                            const Bounces& records) {
   const std::size_t lights = world.light_sampler->chosen_lights().size();
   if (lights == 0 || lights > kMostLights) return {};
-  const double rays =
-      p.paths * kLightRaysForEachPath / (double(records.points.size()) * double(lights));
-  return measure_lights(world, records.points,
-                        static_cast<int>(std::clamp(rays, 1.0, kMostSamples)), p.seed, p.counts);
+  return measure_lights(world, records.points, light_samples(p, records, lights), p.seed, p.counts);
+}
+
+LearnedLights learn_emitters(const World& world, const IntegratorPreparation& p,
+                             const Bounces& records) {
+  const std::size_t parts = world.light_sampler->mesh_lights().parts();
+  if (parts < 2) return {};
+  return measure_emitters(world, records.points, light_samples(p, records, parts), p.seed,
+                          p.counts);
 }
 
 DirectionGuide learn_directions(const World& world, const IntegratorPreparation& p,
@@ -108,7 +120,8 @@ DirectionGuide learn_directions(const World& world, const IntegratorPreparation&
 }  // namespace
 
 bool LearnedLight::is_valid(const World& world) const {
-  return lights.is_valid(world.light_sampler->chosen_lights().size()) && guide.is_valid() &&
+  return lights.is_valid(world.light_sampler->chosen_lights().size()) &&
+         emitters.is_valid(world.light_sampler->mesh_lights().parts()) && guide.is_valid() &&
          (diffuse_rays == 1 || diffuse_rays == kMoreRays);
 }
 
@@ -142,6 +155,10 @@ LearnedLight learn_light(const World& world, const IntegratorPreparation& p,
   PathSettings with = best.settings();
   with.lights = &learned.lights;
   if (!learned.lights.empty() && !best.takes(with, kWorthwhileLights)) learned.lights = {};
+  learned.emitters = learn_emitters(world, p, records);
+  with = best.settings();
+  with.emitters = &learned.emitters;
+  if (!learned.emitters.empty() && !best.takes(with, kWorthwhileLights)) learned.emitters = {};
   learned.guide = learn_directions(world, p, records, kFirstRays);
   with = best.settings();
   with.guide = &learned.guide;

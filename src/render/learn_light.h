@@ -12,14 +12,16 @@ namespace oriel {
 
 struct LearnedLight {
   LearnedLights lights;           ///< for the choice of lights
+  LearnedLights emitters;         ///< for the choice of parts of the mesh lights
   DirectionGuide guide;           ///< for diffuse bounces
   std::int32_t diffuse_rays = 1;  ///< see PathSettings
-  std::size_t bytes() const { return lights.bytes() + guide.bytes(); }
+  std::size_t bytes() const { return lights.bytes() + emitters.bytes() + guide.bytes(); }
 
   /// Writes it to a CheckpointWriter, or reads it from a CheckpointReader.
   template <class Checkpoint>
   void visit_state(Checkpoint& checkpoint) {
     lights.visit_state(checkpoint);
+    emitters.visit_state(checkpoint);
     guide.visit_state(checkpoint);
     checkpoint.value(diffuse_rays);
   }

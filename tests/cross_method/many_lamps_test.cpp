@@ -73,6 +73,59 @@ TEST_P(ManyLamps, KeepTheMean) {
                   std::pow(without.error.y / with.error.y, 2.0f), 0);
 }
 
+/// The lamps of a random room as emissive meshes: spheres, open tubes, squares, and a screen whose
+/// picture is black to one side.
+SceneText emissive_room(unsigned seed) {
+  std::mt19937 random(100 + seed);
+  const auto between = [&](float low, float high) {
+    return low + (high - low) * static_cast<float>(random()) / static_cast<float>(random.max());
+  };
+  SceneText scene("trace depth 4 4 8 shadow on");
+  scene.lambert("grey", .5f)
+      .material("glossy", "\"diffuse\" .4 .4 .4, \"reflectivity\" .4, \"refl_gloss\" .6")
+      .statement("shader \"place\" \"test_place\" ( \"scale\" 3 0 1 )")
+      .material("screen",
+                "\"reflectivity\" 0, \"diffuse_weight\" 0, \"additional_color\" = \"place\"")
+      .box("grey", Vec3(-2), Vec3(2), true);
+  for (int i = 0; i < 6; ++i) {
+    const Vec3 centre(between(-1.5f, 1.5f), between(-1.5f, 1.5f), between(-2, -.4f));
+    const Vec3 half(between(.1f, .4f), between(.1f, .4f), between(.1f, .5f));
+    scene.box(i % 3 ? "grey" : "glossy", centre - half, centre + half);
+  }
+  for (int i = 0; i < 10; ++i) {
+    const std::string name = fmt::format("lamp{}", i);
+    const Vec3 centre(between(-1.5f, 1.5f), between(-1.5f, 1.5f), between(-.2f, 1.8f));
+    scene.emitter(name, between(1, 20));
+    if (i % 3 == 0)
+      scene.sphere(name, centre, between(.03f, .1f), 8);
+    else if (i % 3 == 1)
+      scene.square(name, centre, between(.03f, .15f), kUp);
+    else
+      scene.box(name, centre - Vec3(.3f, .02f, .02f), centre + Vec3(.3f, .02f, .02f));
+  }
+  scene.square("screen", Vec3(.5f, -1.9f, .6f), .3f, Vec3(0, 1, 0));
+  return scene.camera("focal 1 aperture 1.6 aspect 1 resolution 32 32",
+                      "1 0 0 0  0 0 1 0  0 -1 0 0  0 0 -1.9 1");
+}
+
+// acceptance: Q2
+TEST_P(ManyLamps, OfEmissiveMeshesKeepTheMean) {
+  constexpr int kSamples = 1 << 18;
+  const SceneText scene = emissive_room(GetParam());
+  Probe learned(scene);
+  const Measured with = learned.learned_emitters().picture(kSamples);
+  const Measured without = Probe(scene).picture(kSamples);
+  const Measured by_rays = Probe(scene).mesh_lights(false).picture(4 * kSamples);
+  for (int c = 0; c < 3; ++c) {
+    const float error = std::hypot(with.error[c], without.error[c]);
+    EXPECT_NEAR(with.mean[c], without.mean[c], 3 * error) << "channel " << c;
+    EXPECT_NEAR(with.mean[c], by_rays.mean[c], 3 * std::hypot(with.error[c], by_rays.error[c]));
+    EXPECT_LE(error, .02f * without.mean[c]) << "too noisy";
+  }
+  testing::figure(fmt::format("meshes {}: squared error, without / with", GetParam()), 1,
+                  std::pow(without.error.y / with.error.y, 2.0f), 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(CrossMethod, ManyLamps, ::testing::Range(1u, 11u));
 
 /// Two rooms side by side; the camera is in one, most lamps are in the other.
@@ -87,6 +140,28 @@ SceneText lamps_next_door(const std::string& options = "") {
                             i < 3 ? -1 : 2.4f + .1f * float(i), -1.5f + .12f * float(i)));
   return scene.camera("focal 1 aperture 1.6 aspect 1 resolution 96 96",
                       "1 0 0 0  0 0 1 0  0 -1 0 0  0 0 -1.9 1");
+}
+
+TEST(ManyLamps, EmissiveMeshesBehindWallsTakeFewSamples) {
+  SceneText scene("trace depth 4 4 8");
+  scene.lambert("grey", .5f)
+      .emitter("glow", 20)
+      .box("grey", Vec3(-2), Vec3(2), true)
+      .box("grey", Vec3(2.1f, -2, -2), Vec3(6, 2, 2), true);
+  for (int i = 0; i < 62; ++i)
+    scene.sphere("glow",
+                 Vec3(i < 2 ? -1.0f : 2.4f + .4f * float(i / 8), -1.5f + .4f * float(i % 8), 1.5f),
+                 .05f, 4);
+  scene.camera("focal 1 aperture 1.6 aspect 1 resolution 96 96",
+               "1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1");  // sees the floor
+  Probe learned(scene);
+  learned.learned_emitters();
+  // Paths of few samples: many stratified ones take each lamp evenly.
+  const auto pilots = [](const Probe& probe) {
+    RayCounts counts;
+    return PilotPaths(probe.world(), {0, 0, 96, 96}, probe.settings(), 0, counts, 2048);
+  };
+  EXPECT_GT(pilots(learned).compare(pilots(Probe(scene))).noise, 1.5f);
 }
 
 TEST(ManyLamps, LampsBehindWallsTakeFewSamples) {

@@ -144,6 +144,16 @@ Probe& Probe::learned_lights(int samples) {
   return *this;
 }
 
+Probe& Probe::learned_emitters(int samples) {
+  RayCounts counts;
+  const Bounces coarse = coarse_records(gather_settings(world_->options, world_->accel->bounds()));
+  emitters_ =
+      std::make_unique<LearnedLights>(measure_emitters(*world_, coarse.points, samples, 0, counts));
+  settings_.emitters = emitters_->empty() ? nullptr : emitters_.get();
+  EXPECT_TRUE(settings_.emitters) << "no parts of meshes to choose from";
+  return *this;
+}
+
 Probe& Probe::guided(int rays) {
   RayCounts counts;
   const ProgressMonitor monitor;

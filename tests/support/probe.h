@@ -83,6 +83,9 @@ class Probe {
   }
   /// Lights are chosen by what reaches coarse records.
   Probe& learned_lights(int samples = 8);
+  /// The same for the parts of emissive meshes.
+  Probe& learned_emitters(int samples = 8);
+  const PathSettings& settings() const { return settings_; }
 
   /// Paths that share the sample counts of the materials; by default each lobe gets one ray.
   Probe& paths_of_pixel(float paths) {
@@ -136,7 +139,7 @@ class Probe {
   PathSettings settings_;
   std::unique_ptr<LitSurfaces> lit_;
   std::unique_ptr<DirectionGuide> guide_;
-  std::unique_ptr<LearnedLights> lights_;
+  std::unique_ptr<LearnedLights> lights_, emitters_;
   bool outputs_ = false;
 };
 

@@ -5,7 +5,9 @@
 
 #include "base/parallel.h"
 #include "color/luminance.h"
+#include "lights/emission.h"
 #include "lights/light_sampler.h"
+#include "runtime/fill_point.h"
 #include "transport/shadow.h"
 
 namespace oriel {
@@ -14,11 +16,25 @@ namespace {
 /// Stream number of the samples.
 constexpr int kLightColumn = 0x6c696774;
 
-/// Mean square of the irradiance by samples of a light.
-float mean_square(const World& world, const GatherPoint& at, int light, int samples,
-                  sampling::Sampler& sampler, RayCounts& counts) {
+/// Mean square of the luminance that samples of a light bring.
+class MeanSquare {
+ public:
+  explicit MeanSquare(int samples) : samples_(samples) {}
+  void add(float value) {
+    if (std::isfinite(value * value)) sum_ += value * value;
+  }
+  float get() const { return sum_ / static_cast<float>(samples_); }
+
+ private:
+  int samples_;
+  float sum_ = 0;
+};
+
+/// Of the irradiance by samples of a light.
+float square_of_light(const World& world, const GatherPoint& at, int light, int samples,
+                      sampling::Sampler& sampler, RayCounts& counts) {
   ShadingPoint point = at.point;
-  float sum = 0;
+  MeanSquare square(samples);
   for (int i = 0; i < samples; ++i) {
     const auto s =
         sample_light(world.lights[static_cast<std::size_t>(light)], point, sampler.next_2d());
@@ -29,10 +45,66 @@ float mean_square(const World& world, const GatherPoint& at, int light, int samp
     if (!(unshadowed > 0)) continue;
     const Rgb open =
         s->shadow ? shadow_transmittance(world, point, s->wi, s->reach, counts, light).all : Rgb(1);
-    const float value = unshadowed * lerp(luminance(open), 1.0f, s->shadow_factor);
-    if (std::isfinite(value * value)) sum += value * value;
+    square.add(unshadowed * lerp(luminance(open), 1.0f, s->shadow_factor));
   }
-  return sum / static_cast<float>(samples);
+  return square.get();
+}
+
+/// Luminance that a triangle emits towards a point, at the place in that direction.
+float emitted_by(const World& world, const TriangleSample& to, const Vec3& from, float time) {
+  const TriangleCorners corners = corners_of(world, to.instance, to.primitive, time);
+  const Vec3 u = corners.b - corners.a, v = corners.c - corners.a, normal = cross(u, v);
+  const Vec3 place = from + to.wi * to.distance - corners.a;
+  const float scale = 1 / dot(normal, normal);
+  ShadingPoint point = point_of_triangle(
+      world, to.instance, to.primitive, dot(cross(place, v), normal) * scale,
+      dot(cross(u, place), normal) * scale, dot(to.wi, normal) > 0, RayKind::FinalGather);
+  geom::Hit hit;
+  hit.instance = to.instance;
+  hit.primitive = to.primitive;
+  return luminance(emission_at(material_of(world, hit), point).radiance);
+}
+
+/// Of the irradiance by samples of a part of the mesh lights.
+float square_of_part(const World& world, const GatherPoint& at, std::size_t part, int samples,
+                     sampling::Sampler& sampler, RayCounts& counts) {
+  constexpr float kShort = 1 - 1e-3f;  // of the way to the surface that emits
+  ShadingPoint point = at.point;
+  MeanSquare square(samples);
+  for (int i = 0; i < samples; ++i) {
+    const Vec2 u_choice = sampler.next_2d(), u_place = sampler.next_2d();
+    const auto s = world.light_sampler->sample_part(part, {at.point.position, at.normal},
+                                                    point.time, u_choice, u_place);
+    if (!s) continue;
+    const float cosine = dot(s->wi, at.normal);
+    if (!(cosine > 0)) continue;
+    const float emitted = emitted_by(world, *s, point.position, point.time);
+    if (!(emitted > 0)) continue;
+    const Rgb open = shadow_transmittance(world, point, s->wi, s->distance * kShort, counts).all;
+    square.add(emitted * luminance(open) * cosine / s->pdf);
+  }
+  return square.get();
+}
+
+/// Measures `count` lights. Inputs:  square_of(point, light, sampler, counts) and
+/// by_tree(place, light), the probability of a light by the light tree.
+template <class Square, class ByTree>
+LearnedLights measure(std::span<const GatherPoint> points, std::size_t count, std::uint32_t seed,
+                      RayCounts& counts, const Square& square_of, const ByTree& by_tree_of) {
+  if (count == 0 || points.empty()) return {};
+  std::vector<float> squares(points.size() * count), by_tree(squares.size());
+  std::vector<SurfaceTree::Point> places(points.size());
+  std::vector<RayCounts> traced(points.size());
+  parallel_for(points.size(), [&](std::size_t i) {
+    places[i] = {points[i].point.position, points[i].normal};
+    sampling::Sampler sampler(kLightColumn, static_cast<int>(i), 0, seed);
+    for (std::size_t k = 0; k < count; ++k) {
+      squares[i * count + k] = square_of(points[i], k, sampler, traced[i]);
+      by_tree[i * count + k] = by_tree_of(LitPoint{places[i].position, places[i].normal}, k);
+    }
+  });
+  for (const RayCounts& of_point : traced) counts += of_point;
+  return {places, squares, by_tree};
 }
 
 }  // namespace
@@ -40,23 +112,28 @@ float mean_square(const World& world, const GatherPoint& at, int light, int samp
 LearnedLights measure_lights(const World& world, std::span<const GatherPoint> points, int samples,
                              std::uint32_t seed, RayCounts& counts) {
   const std::span<const int> lights = world.light_sampler->chosen_lights();
-  if (lights.empty() || points.empty()) return {};
-  std::vector<float> squares(points.size() * lights.size()), by_tree(squares.size());
-  std::vector<SurfaceTree::Point> places(points.size());
-  std::vector<RayCounts> traced(points.size());
-  parallel_for(points.size(), [&](std::size_t i) {
-    places[i] = {points[i].point.position, points[i].normal};
-    sampling::Sampler sampler(kLightColumn, static_cast<int>(i), 0, seed);
-    for (std::size_t k = 0; k < lights.size(); ++k)
-      if (gives_direct_light(world.lights[static_cast<std::size_t>(lights[k])])) {
-        const std::size_t at = i * lights.size() + k;
-        squares[at] = mean_square(world, points[i], lights[k], samples, sampler, traced[i]);
-        by_tree[at] = world.light_sampler->probability_by_tree(
-            {places[i].position, places[i].normal}, lights[k]);
-      }
-  });
-  for (const RayCounts& of_point : traced) counts += of_point;
-  return {places, squares, by_tree};
+  const auto shines = [&](std::size_t k) {
+    return gives_direct_light(world.lights[static_cast<std::size_t>(lights[k])]);
+  };
+  return measure(
+      points, lights.size(), seed, counts,
+      [&](const GatherPoint& at, std::size_t k, sampling::Sampler& sampler, RayCounts& traced) {
+        return shines(k) ? square_of_light(world, at, lights[k], samples, sampler, traced) : 0;
+      },
+      [&](const LitPoint& at, std::size_t k) {
+        return shines(k) ? world.light_sampler->probability_by_tree(at, lights[k]) : 0;
+      });
+}
+
+LearnedLights measure_emitters(const World& world, std::span<const GatherPoint> points, int samples,
+                               std::uint32_t seed, RayCounts& counts) {
+  const MeshLights& emitters = world.light_sampler->mesh_lights();
+  return measure(
+      points, emitters.parts(), seed, counts,
+      [&](const GatherPoint& at, std::size_t k, sampling::Sampler& sampler, RayCounts& traced) {
+        return square_of_part(world, at, k, samples, sampler, traced);
+      },
+      [&](const LitPoint& at, std::size_t k) { return emitters.probability_of(k, at); });
 }
 
 }  // namespace oriel

@@ -12,4 +12,8 @@ namespace oriel {
 LearnedLights measure_lights(const World& world, std::span<const GatherPoint> points, int samples,
                              std::uint32_t seed, RayCounts& counts);
 
+/// The same of the parts of the mesh lights. Empty: there are none.
+LearnedLights measure_emitters(const World& world, std::span<const GatherPoint> points, int samples,
+                               std::uint32_t seed, RayCounts& counts);
+
 }  // namespace oriel

@@ -40,7 +40,8 @@ struct PathSettings {
   const IndirectCaches* maps = nullptr;   ///< caches of indirect light; null = all light is traced
   const LitSurfaces* lit = nullptr;       ///< sampled as lights; null = only rays find them
   const DirectionGuide* guide = nullptr;  ///< of diffuse directions; null = by the cosine
-  const LearnedLights* lights = nullptr;  ///< for the choice of lights; null = by the light tree
+  /// For the choice of lights, and of parts of the mesh lights; null = by the light tree.
+  const LearnedLights *lights = nullptr, *emitters = nullptr;
   const GlossyGrid* grid = nullptr;  ///< for materials that interpolate reflections; null = none
 };
 

@@ -3,6 +3,7 @@
 // directional lights illuminate.
 #include <cmath>
 
+#include "transport/learned_lights.h"
 #include "transport/path/path_walk.h"
 #include "transport/scene_tracer.h"
 #include "transport/shadow.h"
@@ -58,11 +59,14 @@ void Path::sample_surfaces(const Closure& closure, const LobeChoice& choice,
 void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
                            const ShadingPoint& point) {
   from_.lit = {point.position, is_translucent(closure) ? Vec3(0) : point.geometric_normal};
+  from_.emitters = settings_.emitters
+                       ? settings_.emitters->at(point.position, point.geometric_normal)
+                       : LightChances();
   sampling::Sampler stream = sampler_.split(0, 1, kEmissionBranch);
   const Vec2 u_choice = stream.next_2d(), u_place = stream.next_2d();
   const float u_group = stream.next_1d();
-  const auto sample =
-      world_.light_sampler->sample_triangle(from_.lit, point.time, u_choice, u_place);
+  const auto sample = world_.light_sampler->sample_triangle(from_.lit, from_.emitters, point.time,
+                                                            u_choice, u_place);
   if (!sample) return;
   const int instance = static_cast<int>(world_.accel->instance(sample->instance).user);
   connect(closure, choice, point, {*sample}, u_group, layer_of_instance(instance));
@@ -220,8 +224,9 @@ float Path::emission_weight(const geom::Hit& hit, const ShadingPoint& point) con
   if (!settings_.mesh_lights || !from_.sampled_surfaces() ||
       world_.light_sampler->mesh_lights().empty())
     return 1;
-  const float pdf = world_.light_sampler->triangle_pdf(from_.lit, hit.time, hit.instance,
-                                                       hit.primitive, point.position, way_.ray.dir);
+  const float pdf =
+      world_.light_sampler->triangle_pdf(from_.lit, from_.emitters, hit.time, hit.instance,
+                                         hit.primitive, point.position, way_.ray.dir);
   if (!(pdf > 0)) return 1;
   return bsdf_sample_weight(settings_.estimator, from_.pdf, pdf);
 }

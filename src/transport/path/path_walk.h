@@ -108,8 +108,9 @@ class Path {
                  ? surfaces_on_diffuse
                  : group == LobeGroup::Reflection && surfaces_in_reflections;
     }
-    LitPoint lit;      ///< the point that emissive triangles were sampled for
-    float passed = 0;  ///< distance since then, through surfaces that did not bend the ray
+    LitPoint lit;           ///< the point that emissive triangles were sampled for
+    LightChances emitters;  ///< with which they were chosen
+    float passed = 0;       ///< distance since then, through surfaces that did not bend the ray
   };
   /// The current ray, with its state since the last surface.
   struct RayWay : RayWalk {

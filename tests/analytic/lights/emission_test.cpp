@@ -249,6 +249,52 @@ TEST(Emission, FlagsAndInstancesApply) {
   expect_same("copies", sampled, probe.mesh_lights(false).onto(Vec3(0), kUp, 0, 1 << 18), .02f);
 }
 
+/// Share of the samples for a point of which another part of the surface hides the emission.
+float hidden_samples(const Probe& probe, const Vec3& at, const Vec3& normal) {
+  const World& world = probe.world();
+  int hidden = 0, all = 0;
+  for (std::uint32_t i = 0; i < 4096; ++i) {
+    sampling::Sampler sampler(1, 2, i);
+    const Vec2 u_choice = sampler.next_2d(), u_place = sampler.next_2d();
+    const auto s = world.light_sampler->sample_triangle({at, normal}, {}, 0, u_choice, u_place);
+    if (!s) continue;
+    geom::Ray ray;
+    ray.org = at + normal * 1e-4f;
+    ray.dir = s->wi;
+    geom::Hit hit;
+    ++all;
+    hidden += world.accel->intersect(ray, hit) && hit.t < s->distance * .999f;
+  }
+  EXPECT_GT(all, 2048);
+  return static_cast<float>(hidden) / static_cast<float>(all);
+}
+
+TEST(Emission, InsidesOfLampsAreRarelySampled) {
+  // Spheres, whose material shines to both sides, with faces that look out or in.
+  for (const bool turned : {false, true}) {
+    SceneText scene = floor_scene();
+    scene.sphere("glow", Vec3(0, 0, 1), .2f, 16, turned)
+        .sphere("glow", Vec3(1, 0, 1), .1f, 8, turned);
+    EXPECT_LT(hidden_samples(Probe(scene), Vec3(.4f, .3f, 0), kUp), .08f) << turned;
+    expect_unbiased("spheres", scene);
+    // Light from inside, where no samples are needed, arrives as well.
+    SceneText open = floor_scene();
+    open.box("glow", Vec3(-.2f, -.2f, -.1f), Vec3(.2f, .2f, .6f), turned);
+    expect_unbiased("box", open);
+  }
+}
+
+TEST(Emission, SidesCloseToAPlateAreRarelySampled) {
+  // Two lamps, one of them with a plate close below it: only the lower side of the other counts.
+  SceneText two = floor_scene();
+  two.square("glow", Vec3(-1, 0, 1), .3f, kUp)
+      .square("glow", Vec3(1, 0, 1), .3f, kUp)
+      .square("floor", Vec3(1, 0, .99f), .4f, kUp)
+      .square("floor", Vec3(0, 0, 2), 9, -kUp);
+  EXPECT_LT(hidden_samples(Probe(two), Vec3(0), kUp), .1f);
+  expect_unbiased("two lamps", two);
+}
+
 TEST(Emission, RoomsWithEmissiveWallsUseRaysOnly) {
   SceneText scene;
   scene.material("wall", "\"reflectivity\" 0, \"diffuse\" .5 .5 .5, \"additional_color\" 1 1 1")
