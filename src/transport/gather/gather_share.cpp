@@ -10,6 +10,8 @@ namespace {
 /// further rays of a stratum. Estimates.
 constexpr float kMinContrast = 0.5f;
 constexpr int kMaxExtraRays = 64;
+/// Above the rounding of a sum of shares, and far below one ray.
+constexpr float kAboveRounding = 1e-3f;
 
 }  // namespace
 
@@ -44,8 +46,9 @@ std::vector<int> share_rays(std::span<const GatherSample> samples, int rings, in
     const float floor = kMinContrast * level / static_cast<float>(2 * samples.size());
     const float budget = 0.5f * static_cast<float>(more);
     if (!(total > 0)) continue;
-    // Rounded against the running total, so that the sum is exact.
-    float run = 0;
+    // Rounded down against the running total. It starts above 0 because it often reaches a whole
+    // number, at the end always for an even budget, which rounding errors must not decide about.
+    float run = kAboveRounding;
     int given = 0;
     for (std::size_t i = 0; i < contrast.size(); ++i) {
       if (contrast[i] <= floor) continue;

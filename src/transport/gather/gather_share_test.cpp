@@ -69,6 +69,23 @@ TEST(GatherShare, EvenLightGetsNoMore) {
   EXPECT_EQ(share_rays(samples, h.rings, h.sectors, 0), shared);
 }
 
+TEST(GatherShare, RoundingOfRadianceDoesNotMoveRays) {
+  // One bright stratum: its neighbours get their half of the rays, in whole running totals.
+  const auto h = GatherHemisphere::for_rays(Vec3(0, 0, 1), 64);
+  for (int bright = 0; bright < h.count(); ++bright) {
+    std::vector<GatherSample> samples(static_cast<std::size_t>(h.count()));
+    for (GatherSample& s : samples) s.radiance = Rgb(.1f);
+    samples[static_cast<std::size_t>(bright)].radiance = Rgb(3);
+    const auto shared = share_rays(samples, h.rings, h.sectors, 64);
+    EXPECT_EQ(std::accumulate(shared.begin(), shared.end(), 0), 32) << bright;
+    for (const float scale : {.1f, .3f, .7f, 1.1f}) {
+      auto scaled = samples;
+      for (GatherSample& s : scaled) s.radiance *= scale;
+      EXPECT_EQ(share_rays(scaled, h.rings, h.sectors, 64), shared) << bright << ' ' << scale;
+    }
+  }
+}
+
 // Four standard errors: 6e-5 of all seeds would miss it.
 TEST(GatherShare, StaysUnbiasedAndLessNoisy) {
   const auto moments = [](int more, int runs) {
