@@ -60,6 +60,15 @@ SphericalRectangle::SphericalRectangle(const Vec3& point, const Vec3& corner,
   x1_ = x0_ + axes.length_u;
   y1_ = y0_ + axes.length_v;
 
+  const float cx = (x0_ + x1_) / 2, cy = (y0_ + y1_) / 2;
+  const float d2 = fma(cx, cx, fma(cy, cy, z0_ * z0_));
+  const float longest = std::max(axes.length_u, axes.length_v);
+  const float projected = axes.length_u * axes.length_v * z0_;
+  by_area_ = 4 * sqr(longest) < d2 && sqr(projected) < sqr(kSmallSolidAngle) * d2 * d2 * d2;
+  if (!by_area_) measure();
+}
+
+void SphericalRectangle::measure() {
   // The dihedral angles depend only on the z components of the normals of the four edge planes.
   const float zz = z0_ * z0_;
   const auto slope = [zz](float v) {
@@ -75,6 +84,12 @@ SphericalRectangle::SphericalRectangle(const Vec3& point, const Vec3& corner,
   b1_ = n2;
   k_ = kPi - a2 - a3;
   by_area_ = solid_angle_ < kSmallestSolidAngle;
+}
+
+float SphericalRectangle::solid_angle() const {
+  SphericalRectangle measured = *this;
+  measured.measure();
+  return measured.solid_angle_;
 }
 
 SphericalRectangle::Sample SphericalRectangle::sample(const Vec2& u) const {
