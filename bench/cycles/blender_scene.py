@@ -88,6 +88,12 @@ def node_material(name, m, pictures):
         surface.distribution = "SHARP"
         if m["straight"]:
             surface = transparent_shadows(tree, node, surface, m["ior"])
+    elif m["kind"] == "glow":
+        surface = node("ShaderNodeEmission", m["radiance"], Strength=1)
+    elif m["kind"] == "cloth":
+        surface = node("ShaderNodeAddShader")
+        tree.links.new(diffuse().outputs[0], surface.inputs[0])
+        tree.links.new(node("ShaderNodeBsdfTranslucent", m["through"]).outputs[0], surface.inputs[1])
     elif m["kind"] == "mirror":
         surface = node("ShaderNodeBsdfGlossy", m["colour"], Roughness=0)
         surface.distribution = "SHARP"

@@ -4,6 +4,7 @@ import functools
 
 import everyday
 import hard
+import homes
 import interiors
 import scenes
 
@@ -14,4 +15,6 @@ SCENES = {"cornell": scenes.cornell, "sky_room": scenes.sky_room, "sun_room": sc
           "bathroom": interiors.bathroom, "door_ajar": hard.door_ajar, "pool": hard.pool,
           "kitchen": everyday.kitchen, "product": everyday.product, "street": everyday.street,
           "office": everyday.office, "loft": everyday.loft, "papered": everyday.papered,
-          "park": everyday.park}
+          "park": everyday.park, "apartment": homes.apartment,
+          "lamplit_apartment": homes.lamplit_apartment, "shop": homes.shop, "bedroom": homes.bedroom,
+          "villa": homes.villa}

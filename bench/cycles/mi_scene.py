@@ -58,6 +58,13 @@ def material(m):
                       "diffuse_weight": 0.0})
         else:
             p.update({"diffuse": m["diffuse"], "brdf_fresnel": True, "refr_ior": 1.5})
+    elif m["kind"] == "glow":
+        p.update({"diffuse_weight": 0.0, "additional_color": m["radiance"]})
+    elif m["kind"] == "cloth":  # of the light that is not reflected, all is scattered through
+        share = max(m["through"])
+        p.update({"diffuse": tuple(c / (1 - share) for c in m["diffuse"]), "transparency": share,
+                  "refr_translucency": True, "refr_trans_weight": 1.0, "thin_walled": True,
+                  "refr_color": (1, 1, 1), "refr_trans_color": tuple(c / share for c in m["through"])})
     elif m["kind"] == "mirror":
         p.update({"reflectivity": 1.0, "refl_gloss": 1.0, "refl_color": m["colour"],
                   "brdf_0_degree_refl": 1.0, "brdf_90_degree_refl": 1.0, "diffuse_weight": 0.0,

@@ -350,14 +350,17 @@ std::optional<LightTree::Choice> LightTree::choose(const LitPoint& lit, float& u
   return Choice{~part, probability};
 }
 
+LightTree::Place LightTree::place_of(Part part) const {
+  if (part >= 0) return nodes_[static_cast<std::size_t>(part)].parent;
+  const int light = ~part;
+  const auto name = static_cast<std::size_t>(light);
+  return name < places_.size() ? places_[name] : Place();
+}
+
 float LightTree::probability_of(const LitPoint& lit, Part part, Part of) const {
   float probability = 1;
   while (part != of) {
-    Place at;
-    if (part >= 0)
-      at = nodes_[static_cast<std::size_t>(part)].parent;
-    else if (static_cast<std::size_t>(~part) < places_.size())
-      at = places_[static_cast<std::size_t>(~part)];
+    const Place at = place_of(part);
     if (at.node < 0) return 0;
     const Lanes share = importances(nodes_[static_cast<std::size_t>(at.node)], lit);
     if (!(share[at.lane] > 0)) return 0;

@@ -127,6 +127,7 @@ class LightTree {
     Place parent;
   };
   struct Build;
+  Place place_of(Part part) const;
   Lanes importances(const Node& node, const LitPoint& lit) const;
   static bool crosses(const geom::Box3& box, const Vec3& from, const Vec3& inverse, float t_most);
 
