@@ -55,7 +55,7 @@ def apartment():
 
 
 def lamplit_apartment():
-    """The same at night, with sixteen glowing globes of which the camera's room has four."""
+    """The same at night, with sixteen emissive globes of which the camera's room has four."""
     scene = apartment()
     scene.update(lights=[], background=0.0)
     scene["materials"]["globe"] = {"kind": "glow", "radiance": (60, 50, 40)}
@@ -67,7 +67,7 @@ def lamplit_apartment():
 
 
 def shop():
-    """Glowing tubes and balls, goods on shelves."""
+    """Emissive tubes, balls and a ring, and goods."""
     rng = random.Random(4)
     meshes = shell(3, 3, 2.5)
     for k in range(6):
