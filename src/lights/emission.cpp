@@ -149,7 +149,7 @@ constexpr Vec2 kPlaces[] = {
     {1 / 3.0f, 1 / 3.0f}, {1 / 6.0f, 1 / 6.0f}, {2 / 3.0f, 1 / 6.0f}, {1 / 6.0f, 2 / 3.0f}};
 constexpr std::size_t kLargeMesh = 50000;
 /// Groups of triangles whose sides are probed, over all instances; at least one for each of them.
-constexpr std::size_t kGroups = 4096;
+constexpr std::size_t kGroups = 1024;
 /// Share of its light that an enclosed side counts with, at least.
 constexpr float kLeastOpen = 1 / 64.0f;
 

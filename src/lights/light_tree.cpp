@@ -69,13 +69,16 @@ float orientation_of(const LightBounds& b) {
 
 DirectionCone joined(const DirectionCone& a, const DirectionCone& b) {
   if (a.all() || b.all()) return {};
+  const float cosine = clamp(dot(a.axis, b.axis), -1, 1);
+  // One holds the other, as mostly where many are joined: the angle between the axes is at most the
+  // difference of their half-angles.
+  const float difference =
+      a.cosine * b.cosine + safe_sqrt(1 - sqr(a.cosine)) * safe_sqrt(1 - sqr(b.cosine));
+  if (cosine >= difference) return a.cosine <= b.cosine ? a : b;
   const float angle_a = math::acos(clamp(a.cosine, -1, 1)),
               angle_b = math::acos(clamp(b.cosine, -1, 1));
-  const float between = math::acos(clamp(dot(a.axis, b.axis), -1, 1));
-  if (std::min(between + angle_b, kPi) <= angle_a) return a;
-  if (std::min(between + angle_a, kPi) <= angle_b) return b;
-  const float angle = (angle_a + between + angle_b) / 2;
-  const Vec3 across = b.axis - a.axis * dot(a.axis, b.axis);
+  const float angle = (angle_a + math::acos(cosine) + angle_b) / 2;
+  const Vec3 across = b.axis - a.axis * cosine;
   if (angle >= kPi || !(dot(across, across) > 0)) return {};
   const float turn = angle - angle_a;
   const Vec3 axis = a.axis * math::cos(turn) + normalize(across) * math::sin(turn);

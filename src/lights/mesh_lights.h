@@ -23,7 +23,7 @@ struct EmissiveTriangle {
 /// divided into parts, about one for each lamp.
 ///
 /// Model:   12 bytes for each triangle, 4 more for each triangle of an instance with emission, and
-///          about 230 for each of at most kMaxClusters clusters.
+///          about 200 for each of at most kMaxClusters clusters.
 /// Checked: MeshLights.* in mesh_lights_test.cpp; tests/analytic/lights/emission_test.cpp
 class MeshLights {
  public:

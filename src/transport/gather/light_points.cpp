@@ -56,12 +56,15 @@ float emitted_by(const World& world, const TriangleSample& to, const Vec3& from,
   const Vec3 u = corners.b - corners.a, v = corners.c - corners.a, normal = cross(u, v);
   const Vec3 place = from + to.wi * to.distance - corners.a;
   const float scale = 1 / dot(normal, normal);
-  ShadingPoint point = point_of_triangle(
-      world, to.instance, to.primitive, dot(cross(place, v), normal) * scale,
-      dot(cross(u, place), normal) * scale, dot(to.wi, normal) > 0, RayKind::FinalGather);
   geom::Hit hit;
+  hit.u = dot(cross(place, v), normal) * scale;
+  hit.v = dot(cross(u, place), normal) * scale;
   hit.instance = to.instance;
   hit.primitive = to.primitive;
+  geom::SurfacePoint surface;
+  world.accel->interpolate(hit, surface);
+  ShadingPoint point = point_of_triangle(world, to.instance, to.primitive, hit.u, hit.v,
+                                         dot(to.wi, surface.ng) > 0, RayKind::FinalGather);
   return luminance(emission_at(material_of(world, hit), point).radiance);
 }
 
