@@ -125,7 +125,13 @@ std::optional<MeshLights::Choice> MeshLights::choose(const LitPoint& lit,
   if (chances && !chances.ignored(u.x)) from = parts_[chances.choose(u.x)];
   auto found = tree_.choose(lit, u.x, from);
   if (!found) return std::nullopt;
-  if (chances) found->probability = probability_of_cluster(lit, chances, found->light);
+  if (chances) {
+    // What is above the part was chosen by the tree or by the chances.
+    const std::size_t part = part_of_[static_cast<std::size_t>(found->light)];
+    const float by_tree = probability_of(part, lit);
+    if (from == LightTree::kWhole) found->probability /= by_tree;
+    found->probability *= chances.mixed(part, by_tree);
+  }
   return in_cluster(*found, u.y);
 }
 

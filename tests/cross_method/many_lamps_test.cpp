@@ -20,21 +20,32 @@ using testing::kUp;
 using testing::Measured;
 using testing::Probe;
 
-/// A closed room of side 4 with opaque boxes and lamps of all shapes, at random.
-SceneText random_room(unsigned seed) {
-  std::mt19937 random(seed);
-  const auto between = [&](float low, float high) {
-    return low + (high - low) * static_cast<float>(random()) / static_cast<float>(random.max());
-  };
-  SceneText scene(seed % 2 ? "trace depth 4 4 8 shadow segments" : "trace depth 4 4 8 shadow on");
-  scene.lambert("grey", .5f)
-      .material("glossy", "\"diffuse\" .4 .4 .4, \"reflectivity\" .4, \"refl_gloss\" .6")
-      .box("grey", Vec3(-2), Vec3(2), true);
-  for (int i = 0; i < 8; ++i) {
+/// Even random numbers.
+struct RandomNumbers {
+  explicit RandomNumbers(unsigned seed) : engine(seed) {}
+  float operator()(float low, float high) {
+    return low + (high - low) * static_cast<float>(engine()) / static_cast<float>(engine.max());
+  }
+  std::mt19937 engine;
+};
+
+/// Boxes on the floor of a room of side 4, of the materials "grey" and "glossy".
+void add_boxes(SceneText& scene, RandomNumbers& between, int count) {
+  for (int i = 0; i < count; ++i) {
     const Vec3 centre(between(-1.5f, 1.5f), between(-1.5f, 1.5f), between(-2, -.4f));
     const Vec3 half(between(.1f, .4f), between(.1f, .4f), between(.1f, .5f));
     scene.box(i % 3 ? "grey" : "glossy", centre - half, centre + half);
   }
+}
+
+/// A closed room of side 4 with opaque boxes and lamps of all shapes, at random.
+SceneText random_room(unsigned seed) {
+  RandomNumbers between(seed);
+  SceneText scene(seed % 2 ? "trace depth 4 4 8 shadow segments" : "trace depth 4 4 8 shadow on");
+  scene.lambert("grey", .5f)
+      .material("glossy", "\"diffuse\" .4 .4 .4, \"reflectivity\" .4, \"refl_gloss\" .6")
+      .box("grey", Vec3(-2), Vec3(2), true);
+  add_boxes(scene, between, 8);
   for (int i = 0; i < 12; ++i) {
     const std::string at = fmt::format(" origin {} {} {} ", between(-1.5f, 1.5f),
                                        between(-1.5f, 1.5f), between(.4f, 1.5f));
@@ -49,7 +60,7 @@ SceneText random_room(unsigned seed) {
         physical + at + "sphere .08 2 2",
         fmt::format("\"mib_light_point\" ( \"color\" {0} {0} {0}, \"shadow\" on )", strength / 20) +
             at};
-    scene.light(fmt::format("lamp{}", i), shapes[random() % std::size(shapes)]);
+    scene.light(fmt::format("lamp{}", i), shapes[between.engine() % std::size(shapes)]);
   }
   return scene.camera("focal 1 aperture 1.6 aspect 1 resolution 32 32",
                       "1 0 0 0  0 0 1 0  0 -1 0 0  0 0 -1.9 1");
@@ -76,10 +87,7 @@ TEST_P(ManyLamps, KeepTheMean) {
 /// The lamps of a random room as emissive meshes: spheres, open tubes, squares, and a screen whose
 /// picture is black to one side.
 SceneText emissive_room(unsigned seed) {
-  std::mt19937 random(100 + seed);
-  const auto between = [&](float low, float high) {
-    return low + (high - low) * static_cast<float>(random()) / static_cast<float>(random.max());
-  };
+  RandomNumbers between(100 + seed);
   SceneText scene("trace depth 4 4 8 shadow on");
   scene.lambert("grey", .5f)
       .material("glossy", "\"diffuse\" .4 .4 .4, \"reflectivity\" .4, \"refl_gloss\" .6")
@@ -87,11 +95,7 @@ SceneText emissive_room(unsigned seed) {
       .material("screen",
                 "\"reflectivity\" 0, \"diffuse_weight\" 0, \"additional_color\" = \"place\"")
       .box("grey", Vec3(-2), Vec3(2), true);
-  for (int i = 0; i < 6; ++i) {
-    const Vec3 centre(between(-1.5f, 1.5f), between(-1.5f, 1.5f), between(-2, -.4f));
-    const Vec3 half(between(.1f, .4f), between(.1f, .4f), between(.1f, .5f));
-    scene.box(i % 3 ? "grey" : "glossy", centre - half, centre + half);
-  }
+  add_boxes(scene, between, 6);
   for (int i = 0; i < 10; ++i) {
     const std::string name = fmt::format("lamp{}", i);
     const Vec3 centre(between(-1.5f, 1.5f), between(-1.5f, 1.5f), between(-.2f, 1.8f));

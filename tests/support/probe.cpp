@@ -14,7 +14,6 @@
 #include "shaders/registry.h"
 #include "transport/gather/gather_passes.h"
 #include "transport/gather/guide_points.h"
-#include "transport/gather/light_points.h"
 
 namespace oriel::testing {
 namespace {
@@ -134,23 +133,25 @@ Bounces Probe::coarse_records(const GatherSettings& settings) const {
                         settings, 0, counts, {});
 }
 
-Probe& Probe::learned_lights(int samples) {
+std::unique_ptr<LearnedLights> Probe::learned(decltype(measure_lights)& measure,
+                                              int samples) const {
   RayCounts counts;
   const Bounces coarse = coarse_records(gather_settings(world_->options, world_->accel->bounds()));
-  lights_ =
-      std::make_unique<LearnedLights>(measure_lights(*world_, coarse.points, samples, 0, counts));
+  auto lights =
+      std::make_unique<LearnedLights>(measure(*world_, coarse.points, samples, 0, counts));
+  EXPECT_FALSE(lights->empty()) << "nothing to choose from";
+  return lights;
+}
+
+Probe& Probe::learned_lights(int samples) {
+  lights_ = learned(measure_lights, samples);
   settings_.lights = lights_->empty() ? nullptr : lights_.get();
-  EXPECT_TRUE(settings_.lights) << "no lights to choose from";
   return *this;
 }
 
 Probe& Probe::learned_emitters(int samples) {
-  RayCounts counts;
-  const Bounces coarse = coarse_records(gather_settings(world_->options, world_->accel->bounds()));
-  emitters_ =
-      std::make_unique<LearnedLights>(measure_emitters(*world_, coarse.points, samples, 0, counts));
+  emitters_ = learned(measure_emitters, samples);
   settings_.emitters = emitters_->empty() ? nullptr : emitters_.get();
-  EXPECT_TRUE(settings_.emitters) << "no parts of meshes to choose from";
   return *this;
 }
 

@@ -16,7 +16,7 @@
 #include "support/test_shaders.h"
 #include "transport/direction_guide.h"
 #include "transport/gather/gather_bounces.h"
-#include "transport/learned_lights.h"
+#include "transport/gather/light_points.h"
 #include "transport/path/lit_surfaces.h"
 #include "transport/path/path.h"
 
@@ -133,6 +133,7 @@ class Probe {
  private:
   Measured measure(int samples, const EyeRays& eye) const;
   Bounces coarse_records(const GatherSettings& settings) const;
+  std::unique_ptr<LearnedLights> learned(decltype(measure_lights)& measure, int samples) const;
 
   scene::Scene scene_;
   std::unique_ptr<World> world_;
