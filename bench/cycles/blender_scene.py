@@ -88,6 +88,13 @@ def node_material(name, m, pictures):
         surface.distribution = "SHARP"
         if m["straight"]:
             surface = transparent_shadows(tree, node, surface, m["ior"])
+    elif m["kind"] == "frosted":
+        surface = node("ShaderNodeBsdfGlass", (1, 1, 1), Roughness=m["roughness"], IOR=m["ior"])
+        surface.distribution = "GGX"
+    elif m["kind"] == "brushed":
+        surface = node("ShaderNodeBsdfAnisotropic", m["colour"], Roughness=m["roughness"],
+                       Anisotropy=1 - 1 / math.sqrt(m["ratio"]))
+        surface.distribution = "MULTI_GGX"
     elif m["kind"] == "glow":
         surface = node("ShaderNodeEmission", m["radiance"], Strength=1)
     elif m["kind"] == "cloth":
@@ -105,6 +112,11 @@ def node_material(name, m, pictures):
         tree.links.new(fresnel.outputs[0], surface.inputs[0])
         tree.links.new(diffuse().outputs[0], surface.inputs[1])
         tree.links.new(coat.outputs[0], surface.inputs[2])
+    if "bump" in m:
+        dents = node("ShaderNodeBump", Distance=m["bump"][1])
+        link_picture(m["bump"][0], dents.inputs["Height"])
+        for shaded in [n for n in tree.nodes if "Normal" in n.inputs and n != dents]:
+            tree.links.new(dents.outputs["Normal"], shaded.inputs["Normal"])
     if "cut_out" in m:
         whole, surface = surface, node("ShaderNodeMixShader")
         link_picture(m["cut_out"], surface.inputs[0])
@@ -191,6 +203,25 @@ def add_sun(colour, to_sun):
     shining("sun", sun, [-v for v in to_sun])
 
 
+def add_fog(extinction):
+    """In a box around everything, since Cycles has no light in a world with a volume."""
+    material = bpy.data.materials.new("fog")
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    scatter, out = (tree.nodes.new("ShaderNode" + k) for k in ("VolumeScatter", "OutputMaterial"))
+    scatter.inputs["Color"].default_value = (1, 1, 1, 1)
+    scatter.inputs["Density"].default_value = extinction
+    tree.links.new(scatter.outputs[0], out.inputs["Volume"])
+    material.cycles.homogeneous_volume = True
+    data = bpy.data.meshes.new("fog")
+    corners = [(x, y, z) for x in (-50, 50) for y in (-50, 50) for z in (-50, 50)]
+    data.from_pydata(corners, [], [(0, 1, 3, 2), (6, 7, 5, 4), (4, 5, 1, 0), (2, 3, 7, 6),
+                                   (0, 2, 6, 4), (5, 7, 3, 1)])
+    data.materials.append(material)
+    add("fog", data)
+
+
 def build(scene, probe, profile, sun_colour):
     world = bpy.data.worlds.new("world")
     bpy.context.scene.world = world
@@ -198,6 +229,8 @@ def build(scene, probe, profile, sun_colour):
     background = world.node_tree.nodes["Background"]
     background.inputs["Color"].default_value = (1, 1, 1, 1)
     background.inputs["Strength"].default_value = scene["background"]
+    if "fog" in scene:
+        add_fog(scene["fog"])
     if sun_colour:
         add_sun(sun_colour, scene["sky"]["to_sun"])
     if scene.get("probe") or scene.get("sky"):
@@ -222,6 +255,10 @@ def build(scene, probe, profile, sun_colour):
     lens = bpy.data.cameras.new("camera")
     lens.sensor_fit, lens.clip_start, lens.clip_end = "HORIZONTAL", 1e-3, 1e4
     lens.angle_x = 2 * math.atan(c["width"] / 2)
+    if "lens" in c:
+        radius, lens.dof.focus_distance = c["lens"]
+        lens.dof.use_dof = True
+        lens.dof.aperture_fstop = lens.lens * 1e-3 / (2 * radius)
     z = (up(c["position"]) - up(c["target"])).normalized()
     x = mathutils.Vector((0, 0, 1)).cross(z).normalized()
     bpy.context.scene.camera = add("camera", lens, axes(x, z.cross(x), z, up(c["position"])))
@@ -249,6 +286,7 @@ def settings(scene, samples, seed, threads, noise):
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.blur_glossy = 0
     cycles.caustics_reflective = cycles.caustics_refractive = True
     bounces = scene.get("bounces", scenes.BOUNCES)
+    cycles.volume_bounces = 64
     for kind in ("max", "diffuse", "glossy", "transmission", "transparent_max"):
         # Oriel's paths have no limit of diffuse bounces.
         setattr(cycles, kind + "_bounces", 64 if kind in ("max", "diffuse") else bounces)

@@ -2,6 +2,7 @@
 """The scenes of the comparison by name."""
 import functools
 
+import effects
 import everyday
 import hard
 import homes
@@ -17,4 +18,5 @@ SCENES = {"cornell": scenes.cornell, "sky_room": scenes.sky_room, "sun_room": sc
           "office": everyday.office, "loft": everyday.loft, "papered": everyday.papered,
           "park": everyday.park, "apartment": homes.apartment,
           "lamplit_apartment": homes.lamplit_apartment, "shop": homes.shop, "bedroom": homes.bedroom,
-          "villa": homes.villa}
+          "villa": homes.villa, "still_life": effects.still_life, "dusk": effects.dusk,
+          "fog": effects.fog, "frosted": effects.frosted, "atrium": effects.atrium}

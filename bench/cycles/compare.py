@@ -65,6 +65,9 @@ class Oriel:
         if base == "leaf":
             y, x = numpy.mgrid[-1:1:256j, -1:1:256j]
             values = (abs(y) < .9 * (1 - x * x)).astype(numpy.float32)[..., None].repeat(3, axis=2)
+        elif base == "dents":
+            y, x = numpy.mgrid[0:2048, 0:2048] * (2 * numpy.pi / 2048)
+            values = (.5 + .25 * (numpy.sin(24 * x) + numpy.sin(24 * y)))[..., None].repeat(3, axis=2)
         else:
             grain = numpy.random.default_rng(len(name)).uniform(.5, 1.5, (2048, 2048, 1))
             values = (grain * base).clip(0, 1)

@@ -51,9 +51,10 @@ def material(m):
     p = {"diffuse": (.5, .5, .5), "diffuse_weight": 1.0, "reflectivity": 0.0}
     if m["kind"] == "diffuse":
         p["diffuse"] = m["diffuse"]
-    elif m["kind"] in ("metal", "plastic"):
-        p.update({"reflectivity": 1.0, "refl_gloss": gloss(m["roughness"]), "refl_gloss_samples": 8})
-        if m["kind"] == "metal":
+    elif m["kind"] in ("metal", "brushed", "plastic"):
+        p.update({"reflectivity": 1.0, "refl_gloss": gloss(m["roughness"]), "refl_gloss_samples": 8,
+                  "anisotropy": m.get("ratio", 1.0)})
+        if m["kind"] != "plastic":
             p.update({"refl_color": m["colour"], "brdf_0_degree_refl": 1.0, "brdf_90_degree_refl": 1.0,
                       "diffuse_weight": 0.0})
         else:
@@ -70,10 +71,15 @@ def material(m):
                   "brdf_0_degree_refl": 1.0, "brdf_90_degree_refl": 1.0, "diffuse_weight": 0.0,
                   "refl_depth": 0})
     else:
-        p.update({"transparency": 1.0, "reflectivity": 1.0, "refr_ior": m["ior"], "refr_gloss": 1.0,
-                  "refl_gloss": 1.0, "diffuse_weight": 0.0, "brdf_fresnel": True,
+        # The blur of the material does not depend on the index of refraction: at 1.5 microfacets
+        # turn light through a pane by about a quarter of the angle.
+        smooth = gloss(m["roughness"] / 2) if m["kind"] == "frosted" else 1.0
+        p.update({"transparency": 1.0, "reflectivity": 1.0, "refr_ior": m["ior"], "refr_gloss": smooth,
+                  "refl_gloss": smooth, "diffuse_weight": 0.0, "brdf_fresnel": True,
                   "refr_color": (1, 1, 1), "refl_color": (1, 1, 1),
-                  "do_refractive_caustics": not m["straight"], "skip_inside_refl": False})
+                  "do_refractive_caustics": not m.get("straight"), "skip_inside_refl": False})
+    if "bump" in m:
+        p["bump"] = '= "{}_dents"'.format(m["bump"][0])
     if "picture" in m:
         p["diffuse"] = f'= "{m["picture"]}_look_up"'
     if "cut_out" in m:
@@ -200,7 +206,8 @@ def write_profile(path, candela):
 def write(scene, path, probe, profile):
     with open(path, "w", encoding="ascii") as f:
         f.write('$include <base.mi>\n$include <physics.mi>\n$include <architectural.mi>\n')
-        refracts = any(not m.get("straight", True) for m in scene["materials"].values())
+        refracts = any(m["kind"] == "frosted" or not m.get("straight", True)
+                       for m in scene["materials"].values())
         f.write(OPTIONS.format(n=scene.get("bounces", scenes.BOUNCES),
                                caustic="on" if refracts else "off"))
         if "profile" in scene:
@@ -213,6 +220,9 @@ def write(scene, path, probe, profile):
                     f'shader "{name}_look_up" "mib_texture_lookup" ( "tex" "{name}", '
                     f'"coord" = "{name}_tile" )\n')
         for name, m in scene["materials"].items():
+            if "bump" in m:  # the shader's step is .01 of the picture, and its normal turns to dents
+                f.write(f'shader "{m["bump"][0]}_dents" "mib_bump_map2" ( "tex" "{m["bump"][0]}", '
+                        f'"factor" {-100 * m["bump"][1]:.9g} )\n')
             # A material without shadow shader has opaque shadows, and paths refract light in it.
             shadow = f'shadow = "{name}_s" ' if m.get("straight") or "cut_out" in m else ""
             f.write(f'shader "{name}_s" "mia_material_x" ( {material(m)} )\n'
@@ -236,7 +246,13 @@ def write(scene, path, probe, profile):
         c = scene["camera"]
         z = unit(sub(c["position"], c["target"]))
         x = unit(cross((0, 1, 0), z))
+        more = ""
+        if "lens" in c:
+            radius, plane = c["lens"]
+            more += f'lens "mia_lens_bokeh" ( "plane" {plane}, "radius" {radius}, "samples" 1 ) '
+        if "fog" in scene:
+            more += f'volume "parti_volume" ( "scatter" 1 1 1, "extinction" {scene["fog"]} ) '
         camera(f, world_to(x, cross(z, x), z, c["position"]), c["width"],
-               (scenes.WIDTH, scenes.HEIGHT))
+               (scenes.WIDTH, scenes.HEIGHT), more)
         f.write('instgroup "world" "cam_i" ' + " ".join(f'"{m}"' for m in members) +
                 ' end instgroup\nrender "world" "cam_i" "opt"\n')

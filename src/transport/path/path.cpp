@@ -233,7 +233,7 @@ bool Path::shade_hit(const geom::Hit& hit, ShadingPoint& point) {
     dim(kept_over(length(point.position - way_.left)));
   // The segment in a volume ends at its boundary, even if the ray continues unbent.
   const bool in_volume = closure.volume || way_.medium.volume;
-  bool turned = in_volume && pass_volume(point, distance);
+  bool turned = in_volume && pass_volume(point.position, distance);
   if (!turned && pass_straight(closure, material, point)) return true;
 
   way_.veil = {};
@@ -242,7 +242,7 @@ bool Path::shade_hit(const geom::Hit& hit, ShadingPoint& point) {
   if (visitor_) return visitor_->on_surface(*this, closure, material, point);
 
   const bool aov_was_fixed = aov_.fixed;
-  turned = turned || pass_volume(point, distance);
+  turned = turned || pass_volume(point.position, distance);
   if (!turned) {
     darken_near(distance);
     fade(distance);
@@ -271,10 +271,11 @@ void Path::walk() {
     geom::Hit hit;
     count_ray();
     const bool found = world_.accel->intersect(way_.ray, hit);
-    bool ended = false;
-    if (world_.has_area_lights) meet_lights(found ? hit.t : way_.ray.tfar, ended);
-    if (ended || (!found && way_.to_far_side)) return;
-    if (!found && pass_volume_to_infinity()) {
+    AtLights lights = AtLights::Passed;
+    if (world_.has_area_lights) lights = meet_lights(found ? hit.t : way_.ray.tfar);
+    if (lights == AtLights::Ended) return;
+    if (lights == AtLights::Passed && !found && way_.to_far_side) return;
+    if (lights == AtLights::Scattered || (!found && pass_volume_to_infinity())) {
       eye_hit_.pending = false;
       if (!russian_roulette()) return;
       continue;

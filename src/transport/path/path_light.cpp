@@ -48,12 +48,12 @@ void Path::add_found(const LightInReflection& in, float kept, const Rgb& arrivin
 /// see it as an object (camera and mirrors). Rays of glossy and diffuse lobes add its weighted
 /// light and continue, since lights cast no shadows on each other. Portals end those rays as well:
 /// their light includes everything behind them.
-void Path::meet_lights(float t_surface, bool& ended) {
-  if (!settings_.finite_lights) {
-    if (way_.kind == RayKind::FinalGather) ended = ends_at_portal(world_, way_.ray, t_surface);
-    return;
-  }
-  if (caustics_are_mapped() && way_.kind != RayKind::FinalGather) return;
+Path::AtLights Path::meet_lights(float t_surface) {
+  if (!settings_.finite_lights)
+    return way_.kind == RayKind::FinalGather && ends_at_portal(world_, way_.ray, t_surface)
+               ? AtLights::Ended
+               : AtLights::Passed;
+  if (caustics_are_mapped() && way_.kind != RayKind::FinalGather) return AtLights::Passed;
   const bool sees = !from_.weighed;
   float nearest = t_surface;
   Rgb seen(0);
@@ -86,7 +86,6 @@ void Path::meet_lights(float t_surface, bool& ended) {
         nearest = hit->t;
         seen = sees && !is_mapped_caustic(index) ? hit->radiance * own_view(light) : Rgb(0);
         seen_light = index;
-        ended = true;
       }
       if (sees) return;
     }
@@ -116,18 +115,28 @@ void Path::meet_lights(float t_surface, bool& ended) {
               layer_of_light(index));
   };
   world_.light_sampler->for_each_on_way(way_.ray.org, way_.ray.dir, t_surface, meet);
+  const bool ended = seen_light >= 0;
   const bool dimmed = dims && world_.has_tinted_portals;
-  if (!ended && !dimmed) return;
+  if (!ended && !dimmed) return AtLights::Passed;
   const Rgb view = view_to(nearest);
-  if (!ended) return dim(view);
+  if (!ended) {
+    dim(view);
+    return AtLights::Passed;
+  }
+  seen *= view * kept_over(nearest);
+  if (eye_hit_.pending) record_->alpha = 1;
+  // Through a portal a ray leaves the scene.
+  if (!world_.lights[static_cast<std::size_t>(seen_light)].portal &&
+      pass_volume(way_.ray.org + way_.ray.dir * nearest, from_.passed + nearest)) {
+    eye_hit_.pending = eye_hit_.alpha_open = false;
+    return AtLights::Scattered;
+  }
   const float kept = fading_.kept(nearest);
-  add(aov_.on_way(), light_.throughput * (seen * view * kept_over(nearest) * kept),
-      layer_of_light(seen_light));
+  add(aov_.on_way(), light_.throughput * seen * kept, layer_of_light(seen_light));
   if (kept < 1) add(aov_.on_way(), light_.throughput * faded_to() * (1 - kept), layer_of_faded());
-  if (!eye_hit_.pending) return;
-  record_->alpha = 1;
   // Final gather rays see a black wall instead of a portal.
-  if (!sees) record_->depth = nearest;
+  if (eye_hit_.pending && !sees) record_->depth = nearest;
+  return AtLights::Ended;
 }
 
 Rgb Path::reflected_environment(const Vec3& direction) {

@@ -381,10 +381,11 @@ bool Path::continue_path(const Closure& closure, const LobeChoice& choice, const
   if (!fading_.single_environment)
     way_.roughness /= std::sqrt(std::max(1.0f, choice.rays[index]) * settings_.paths_of_pixel);
   if (too_deep) {
-    bool seen = false;
-    if (world_.has_area_lights) meet_lights(kInfinity, seen);
+    AtLights lights = AtLights::Passed;
+    if (world_.has_area_lights) lights = meet_lights(kInfinity);
+    if (lights == AtLights::Scattered) return russian_roulette();
     way_.kind = RayKind::Environment;  // no ray was traced
-    if (!seen) meet_environment();
+    if (lights == AtLights::Passed) meet_environment();
     return false;
   }
   return expects || russian_roulette();

@@ -58,15 +58,14 @@ bool Path::pass_volume(const NodeList& nodes, ShadingPoint& way, bool endless) {
   return false;
 }
 
-/// The segment up to a surface at distance t: by the volume shaders of the object that the ray is
-/// in, else by those of the camera. Rays in an absorbing medium are not affected.
-bool Path::pass_volume(const ShadingPoint& end, float t) {
+/// The segment up to a surface or visible light at distance t: by the volume shaders of the object
+/// that the ray is in, else by those of the camera. Rays in an absorbing medium are not affected.
+bool Path::pass_volume(const Vec3& end, float t) {
   const NodeList& volume = way_.medium.volume ? *way_.medium.volume : world_.camera_volume;
   const float length = t - std::exchange(way_.volume_passed, t);
   if ((volume.empty() && world_.eye_volume.empty()) || !(length > 0)) return false;
   if (!way_.medium.medium.clear()) return false;
-  ShadingPoint way =
-      way_.volume_segment(world_, end.position - way_.ray.dir * length, end.position, length);
+  ShadingPoint way = way_.volume_segment(world_, end - way_.ray.dir * length, end, length);
   way.raster = raster_;
   way.blurred = way_.blurred;
   SceneTracer tracer(world_, sampler_, counts_, this);

@@ -216,12 +216,14 @@ class Path {
   void sense_irradiance(const Closure& closure, const ShadingPoint& point);
 
   // path_volume.cpp
-  bool pass_volume(const ShadingPoint& end, float t);
+  bool pass_volume(const Vec3& end, float t);
   bool pass_volume_to_infinity();
   bool pass_volume(const NodeList& nodes, ShadingPoint& way, bool endless);
 
   // path_light.cpp
-  void meet_lights(float t_surface, bool& ended);
+  /// What lights with a shape did to a ray: it ended at one, or was scattered before it.
+  enum class AtLights { Passed, Ended, Scattered };
+  AtLights meet_lights(float t_surface);
   void add_found(const LightInReflection& in, float kept, const Rgb& arriving, const Rgb& view,
                  std::size_t layer);
   bool ends_at(const Portal& portal) const;

@@ -167,6 +167,57 @@ TEST(VolumeNodes, FogMayFadeLightRays) {
   expect_exact("on", lit("on"), .9f * .75f, .01f);
 }
 
+/// Along -z to a lamp of radiance 3 at a distance of 4, in a mirror or not.
+Measured lamp_in(const char* volume, bool mirrored) {
+  const float z = mirrored ? 1 : -4;  // at a distance of 3 from a mirror at z = -2
+  SceneText scene;
+  scene
+      .light("lamp",
+             fmt::format("\"physical_light\" ( \"color\" 12 12 12 ) origin 0 0 {} direction 0 0 {} "
+                         "rectangle 1 0 0 0 1 0 3 3",
+                         z, mirrored ? -1 : 1),
+             "visible on")
+      .camera(fmt::format("focal 1 aperture 1 aspect 1 resolution 32 32 volume {}", volume));
+  if (mirrored)
+    scene
+        .material("mirror",
+                  "\"diffuse_weight\" 0, \"reflectivity\" 1, \"brdf_0_degree_refl\" 1, "
+                  "\"refl_gloss\" 1")
+        .square("mirror", Vec3(0, 0, -2), 5, Vec3(0, 0, 1));
+  return Probe(scene).ray(Vec3(0), Vec3(0, 0, -1), 1 << 14);
+}
+
+TEST(VolumeNodes, VisibleLightsAreInTheMedium) {
+  for (const bool mirrored : {false, true}) {
+    // Of both stretches, 2 and 3 in the mirror.
+    const float depth = mirrored ? 5 : 4;
+    const auto fog = [](float d) { return d / 10; };
+    const float seen = mirrored ? (1 - fog(2)) * (1 - fog(3)) : 1 - fog(4);
+    expect_exact("smoke", lamp_in("\"parti_volume\" ( \"extinction\" .2 )", mirrored),
+                 3 * std::exp(-.2f * depth), .01f);
+    expect_exact("fog", lamp_in("\"mib_volume\" ( \"color\" .5 .5 .5, \"max\" 10 )", mirrored),
+                 3 * seen + .5f * (1 - seen), .01f);
+  }
+}
+
+TEST(VolumeNodes, VisibleLightsAreBehindScatteredLight) {
+  // A thin medium between the eye and the front of the lamp, whose light it scatters once.
+  const float extinction = .01f, distance = 4;
+  constexpr int kCells = 200, kSide = 40;
+  double scattered = 0;
+  for (int i = 0; i < kCells; ++i)
+    for (int j = 0; j < kSide * kSide; ++j) {
+      const double z = distance * (i + .5) / kCells;
+      const double x = (j % kSide + .5) / kSide - .5, y = (j / kSide + .5) / kSide - .5;
+      const double d2 = x * x + y * y + z * z;
+      scattered += double(extinction) / (4 * M_PI) * 3 * z / (d2 * std::sqrt(d2)) * distance /
+                   kCells / (kSide * kSide);
+    }
+  const Measured m = lamp_in("\"parti_volume\" ( \"extinction\" .01, \"scatter\" 1 1 1 )", false);
+  expect_exact("fog", m, 3 * std::exp(-extinction * distance) + static_cast<float>(scattered),
+               .002f);
+}
+
 SceneText marched(const char* shader, const char* parameters) {
   SceneText scene;
   return scene.statement(shader)
