@@ -354,6 +354,11 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
                 (bound.shadow_surface.empty() || some_transmit(bound.shadow_surface))
           : bound.may_have_holes;
   bound.may_transmit = bound.may_transmit && bound.has_shadow_shader && !bound.opaque;
+  if (!bound.filters_shadows() && bound.surface.size() == 1) {
+    const ShaderNode* node = bound.surface.front();
+    const auto by_angle = node->spec().material.straight_by_angle;
+    if (by_angle && by_angle(*node)) bound.straight_by_angle = node;
+  }
   for (const ShaderNode* node : bound.surface) {
     if (node->spec().material.has_outputs) bound.outputs = node->spec().material.has_outputs(*node);
   }

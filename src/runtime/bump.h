@@ -23,13 +23,17 @@ Vec3 bump_vector(const ShadingPoint& point, const Vec3& from, const Vec3& to, in
 
 /// Rotates the normal by the minimum angle that puts the viewer on its front side: a bumped or
 /// interpolated normal that faces away would be black.
-inline Vec3 facing_viewer(const Vec3& normal, const ShadingPoint& point) {
+///
+/// Inputs:  wo: unit, to the viewer.
+inline Vec3 facing_viewer(const Vec3& normal, const Vec3& wo) {
   /// Minimum cosine between view and normal: a grazing view without division by zero.
   constexpr float kMinCosine = 1e-3f;
-  const Vec3 wo = point.wo();
   const float cosine = dot(normal, wo);
   if (cosine >= kMinCosine) return normal;
   return normalize(normal + wo * (kMinCosine - cosine));
+}
+inline Vec3 facing_viewer(const Vec3& normal, const ShadingPoint& point) {
+  return facing_viewer(normal, point.wo());
 }
 
 /// Rotates the normal by the minimum angle for which the mirrored view direction is above the

@@ -21,6 +21,8 @@ struct Material {
   // also the shadow shader.
   NodeList shadow;          ///< shadow shaders, each with the light left by the previous one
   NodeList shadow_surface;  ///< material shaders whose closure transmits light as a surface's does
+  /// Gives the light that passes to shadow rays by the angle alone; null: its closure gives it.
+  const ShaderNode* straight_by_angle = nullptr;
   bool has_shadow_shader = false;  ///< without one a blocker is opaque
   bool may_transmit = false;       ///< shadow rays must shade the surface
   bool may_have_holes = false;     ///< cut-outs; for rays that pass nothing else

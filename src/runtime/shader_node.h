@@ -43,6 +43,10 @@ class ShaderNode {
   const P& constants() const {
     return *reinterpret_cast<const P*>(constants_.data());
   }
+  /// Whether any parameter is connected to another shader.
+  bool has_inputs() const {
+    return !connections_.empty() || !deferred_.empty() || !material_inputs_.empty();
+  }
   /// Whether the parameter at `offset` is connected to another shader.
   bool connected(std::size_t offset) const;
   /// The shader connected to the parameter at `offset`; null if it is constant.

@@ -21,6 +21,7 @@ namespace scene {
 class Scene;
 }
 struct Closure;
+struct World;
 struct Light;
 struct PortalTraits;
 struct LightPhotons;
@@ -156,6 +157,13 @@ struct VolumeValue {
   Vec3 place{0}, onward{0};
 };
 
+/// Light that passes a surface straight, as shadow rays see it.
+struct StraightLight {
+  Rgb all{0};         ///< weight of the lobes that transmit
+  Rgb clear{0};       ///< the same of those that do not blur
+  float opacity = 1;  ///< the rest passes holes
+};
+
 // Roles
 //   A shader has a role where the role's functions are set; null functions and default structs
 //   mean that it lacks the role. `const void* params` are constant parameters.
@@ -170,6 +178,11 @@ struct MaterialRole {
   Rgb (*shadow)(const Call&, const Rgb& light) = nullptr;
   /// False if constant parameters exclude transmission (cut-out, transparency).
   bool (*may_transmit)(const ShaderNode&) = nullptr;
+  /// Whether the light that passes straight depends on the angle alone, so that shadow rays get it
+  /// from `straight` without the closure. Null: it does not.
+  bool (*straight_by_angle)(const ShaderNode&) = nullptr;
+  /// Inputs:  instance: index in the world; cosine: to the shading normal.
+  StraightLight (*straight)(const ShaderNode&, const World&, int instance, float cosine) = nullptr;
   /// False if it emits nothing anywhere. Null: unknown.
   bool (*may_emit)(const ShaderNode&) = nullptr;
   /// Upper bound on the number of lobes it adds itself, by constant parameters. Null: one.

@@ -10,6 +10,7 @@
 
 #include "base/math.h"
 #include "lights/sample_light.h"
+#include "runtime/bump.h"
 #include "transport/lobes.h"
 #include "transport/medium.h"
 #include "transport/surface.h"
@@ -22,6 +23,11 @@ constexpr int kMaxShadowBlockers = 128;
 /// Shadow rays end at this share of the distance, so that a light's housing at the sample does not
 /// block it.
 constexpr float kShortOfLight = 1 - 1e-4f;
+
+Transmittance straight_transmission(const StraightLight& light) {
+  const Rgb hole(1 - light.opacity);
+  return {hole + light.all * light.opacity, hole + light.clear * light.opacity, hole};
+}
 
 constexpr Transmittance kClosed{Rgb(0), Rgb(0), Rgb(0)}, kOpen{};
 
@@ -64,19 +70,18 @@ class BlockersInAnyOrder final : public geom::BlockTest {
       : world_(world), point_(point), ray_(ray), light_(light) {}
 
   bool blocks(const geom::Hit& hit) override {
-    in_order_ |= material_of(world_, hit).filters_shadows();
+    const Material& material = material_of(world_, hit);
+    in_order_ |= material.filters_shadows();
     if (in_order_) return false;
-    ShadingPoint at;
-    Closure closure;
-    shade_hit(world_, point_, ray_, hit, light_, at, closure);
-    const Transmittance here = straight_transmission(closure, world_.options);
+    const Blocker at =
+        material.straight_by_angle ? unshaded(*material.straight_by_angle, hit) : shaded(hit);
+    const Transmittance& here = at.here;
     if (max_component(here.all) <= 0 || count_ == kMaxShadowBlockers) return true;
     if (here.all == Rgb(1) && here.cut_outs == Rgb(1)) return false;
     // A ray that leaves the surface starts at an offset.
-    const float cosine = std::abs(dot(at.geometric_normal, ray_.dir));
     passed_[static_cast<std::size_t>(count_++)] = {
         hit.t,
-        hit.t + at.ray_offset / std::max(cosine, kMinCosine),
+        hit.t + at.offset / std::max(std::abs(at.cosine), kMinCosine),
         std::uint64_t{hit.instance} << 32 | hit.primitive,
         here.all,
         here.clear,
@@ -110,6 +115,28 @@ class BlockersInAnyOrder final : public geom::BlockTest {
     Rgb all, clear, cut_outs;  // not a Transmittance, whose constructor sets it
   };
 
+  struct Blocker {
+    Transmittance here;
+    float offset, cosine;  ///< offset of rays that leave it; of the ray to the geometric normal
+  };
+  Blocker shaded(const geom::Hit& hit) const {
+    ShadingPoint at;
+    Closure closure;
+    shade_hit(world_, point_, ray_, hit, light_, at, closure);
+    return {straight_transmission(closure, world_.options), at.ray_offset,
+            dot(at.geometric_normal, ray_.dir)};
+  }
+  Blocker unshaded(const ShaderNode& shader, const geom::Hit& hit) const {
+    geom::SurfacePoint at;
+    world_.accel->interpolate(hit, at);
+    const float cosine = dot(at.ng, ray_.dir);
+    const Vec3 wo = -ray_.dir;
+    const float seen = dot(facing_viewer(cosine > 0 ? -at.ns : at.ns, wo), wo);
+    return {straight_transmission(
+                shader.spec().material.straight(shader, world_, static_cast<int>(at.user), seen)),
+            at.offset, cosine};
+  }
+
   const World& world_;
   const ShadingPoint& point_;
   const geom::Ray& ray_;
@@ -129,16 +156,15 @@ Rgb transmittance(const Medium& medium, float distance) {
 }
 
 Transmittance straight_transmission(const Closure& closure, const scene::RenderOptions& options) {
-  Rgb all(0), clear(0);
+  StraightLight light{.opacity = closure.opacity};
   if (!bends_light(closure, options))
     for (int i = 0; i < closure.count; ++i) {
       const Lobe& lobe = closure.lobes[i];
       if (!transmits(lobe.kind)) continue;
-      all += lobe.weight;
-      if (is_delta(lobe.kind)) clear += lobe.weight;
+      light.all += lobe.weight;
+      if (is_delta(lobe.kind)) light.clear += lobe.weight;
     }
-  const Rgb hole(1 - closure.opacity);
-  return {hole + all * closure.opacity, hole + clear * closure.opacity, hole};
+  return straight_transmission(light);
 }
 
 bool hidden_from_rays(const World& world, const ShadingPoint& point, const Vec3& wi, float distance,

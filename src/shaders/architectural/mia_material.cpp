@@ -164,11 +164,15 @@ void add_reflection(const MiaMaterialParams& p, const ReflectingLayer& layer, co
   }
 }
 
+bool refracts_clearly(const MiaMaterialParams& p, const bsdf::Roughness& roughness) {
+  return p.refr_gloss_samples == 0 || roughness.is_mirror();
+}
+
 void add_refraction(const MiaMaterialParams& p, const ShadingPoint& point, const Vec3& normal,
                     const Rgb& level, float eta, Closure& closure) {
   if (is_black(level)) return;
   const bsdf::Roughness roughness = bsdf::gloss_to_roughness(p.refr_gloss, p.anisotropy);
-  const bool clear = p.refr_gloss_samples == 0 || roughness.is_mirror();
+  const bool clear = refracts_clearly(p, roughness);
   const LobeKind kind = p.thin_walled
                             ? (clear ? LobeKind::ThinTransmission : LobeKind::GlossyThin)
                             : (clear ? LobeKind::ClearRefraction : LobeKind::GlossyRefraction);
@@ -219,11 +223,10 @@ void add_diffuse(const MiaMaterialParams& p, const Rgb& level, const Vec3& norma
 
 /// Path-traced pictures have no need of photons behind thin walls and panes, which do not turn
 /// light: their shadows stay transparent.
-bool passes_straight(const ShadingPoint& point, const Closure& closure) {
-  if (!point.world || !point.world->options.traces_paths()) return false;
-  if (closure.thin_walled) return true;
-  return point.instance >= 0 &&
-         point.world->instances[static_cast<std::size_t>(point.instance)].flat_pane;
+bool passes_straight(const World* world, int instance, bool thin_walled) {
+  if (!world || !world->options.traces_paths()) return false;
+  if (thin_walled) return true;
+  return instance >= 0 && world->instances[static_cast<std::size_t>(instance)].flat_pane;
 }
 
 /// The face of a solid that decides about reflection. Rays that were not bent on the way in meet
@@ -240,7 +243,8 @@ void shade_mia(const Call& call, Closure& closure, bool extended) {
   closure.opacity = clamp01(p.cutout_opacity);
   closure.seen_from_back = !p.backface_cull;
   closure.thin_walled = p.thin_walled || p.transparency <= 0;
-  closure.refractive_caustics = p.do_refractive_caustics && !passes_straight(point, closure);
+  closure.refractive_caustics = p.do_refractive_caustics &&
+                                !passes_straight(point.world, point.instance, closure.thin_walled);
   closure.propagate_alpha = p.propagate_alpha;
   closure.highlight_scale = std::max(0.0f, p.hl_vs_refl_balance);
   closure.highlights_of_visible_lights = !p.no_visible_area_hl;
@@ -286,6 +290,27 @@ bool mia_may_transmit(const ShaderNode& node) {
   return p.transparency > 0 || p.cutout_opacity < 1 ||
          node.connected(offsetof(MiaMaterialParams, transparency)) ||
          node.connected(offsetof(MiaMaterialParams, cutout_opacity));
+}
+
+/// Without inputs and bumps.
+bool mia_straight_by_angle(const ShaderNode& node) {
+  const MiaMaterialParams& p = node.constants<MiaMaterialParams>();
+  return !node.has_inputs() && !p.bump.node && p.overall_bump == Vec3(0) &&
+         p.standard_bump == Vec3(0);
+}
+
+/// Of the closure for shadow rays, which were not bent.
+StraightLight mia_straight(const ShaderNode& node, const World& world, int instance, float cosine) {
+  const MiaMaterialParams& p = node.constants<MiaMaterialParams>();
+  StraightLight light{.opacity = clamp01(p.cutout_opacity)};
+  const bool thin_walled = p.thin_walled || p.transparency <= 0;
+  const bool bends = p.do_refractive_caustics && world.options.caustic.on &&
+                     !passes_straight(&world, instance, thin_walled);
+  if (light.opacity == 0 || bends || !(p.transparency > 0)) return light;
+  light.all = mia_levels(p, clamp01(cosine), false).refraction;
+  if (refracts_clearly(p, bsdf::gloss_to_roughness(p.refr_gloss, p.anisotropy)))
+    light.clear = light.all;
+  return light;
 }
 
 bool mia_may_emit(const ShaderNode& node) {
@@ -396,6 +421,8 @@ const ShaderSpec kMiaMaterial = {
     .material = {.fill = [](const Call& call,
                             Closure& closure) { shade_mia(call, closure, false); },
                  .may_transmit = mia_may_transmit,
+                 .straight_by_angle = mia_straight_by_angle,
+                 .straight = mia_straight,
                  .may_emit = mia_may_emit,
                  .max_lobes = mia_most_lobes,
                  .grids = mia_grids},
@@ -414,6 +441,8 @@ const ShaderSpec kMiaMaterialX = {
     .result_size = kResultSize,
     .material = {.fill = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
                  .may_transmit = mia_may_transmit,
+                 .straight_by_angle = mia_straight_by_angle,
+                 .straight = mia_straight,
                  .may_emit = mia_may_emit,
                  .max_lobes = mia_most_lobes,
                  .has_outputs = mia_has_outputs,

@@ -202,6 +202,60 @@ TEST(ShadowModes, BlockersOfOneTraversalTransmitAsThoseOneAfterTheOther) {
       << shadowed << ' ' << dimmed << ' ' << open_ways;
 }
 
+/// Glass whose transmission depends on the angle, at random places; its tint constant, or an input.
+SceneText tinted_glass(const char* tint) {
+  std::mt19937 engine(5);
+  std::uniform_real_distribution<float> place(-2, 2), height(0, 4);
+  SceneText scene = in_mode("on");
+  scene.statement("shader \"tint\" \"mib_color_mix\" ( \"num\" 0, \"color_base\" .7 .9 .8 )");
+  const char* const kinds[] = {
+      "\"brdf_fresnel\" on, \"refr_ior\" 1.6, \"cutout_opacity\" .9",
+      "\"brdf_fresnel\" on, \"refr_ior\" 1.4, \"thin_walled\" on, \"refr_gloss\" .6",
+      "\"refl_color\" .9 .5 .3, \"brdf_0_degree_refl\" .1, \"brdf_curve\" 3, "
+      "\"refr_translucency\" on, \"refr_trans_weight\" .2, \"do_refractive_caustics\" on"};
+  for (int i = 0; i < 9; ++i) {
+    const std::string name = fmt::format("glass{}", i % 3);
+    if (i < 3)
+      scene.material(name, fmt::format("\"diffuse_weight\" .3, \"reflectivity\" 1, "
+                                       "\"transparency\" .9, \"refr_color\" {}, {}",
+                                       tint, kinds[i]));
+    const auto somewhere = [&] { return Vec3(place(engine), place(engine), height(engine)); };
+    scene.square(name, somewhere(), 1, somewhere());
+    // Few rings: the normals differ from those of the triangles.
+    scene.sphere(name, somewhere(), .8f, 6);
+  }
+  return scene;
+}
+
+TEST(ShadowModes, GlassTransmitsByItsAngleAsItsClosureDoes) {
+  const Probe constant = probe_of(tinted_glass(".7 .9 .8"));
+  const Probe shaded = probe_of(tinted_glass("= \"tint\""));
+  ASSERT_TRUE(constant.world().materials.back().straight_by_angle);
+  ASSERT_FALSE(shaded.world().materials.back().straight_by_angle);
+  std::mt19937 engine(6);
+  std::uniform_real_distribution<float> place(-2, 2);
+  int dimmed = 0;
+  for (int i = 0; i < 4000; ++i) {
+    ShadingPoint point;
+    point.position = Vec3(place(engine), place(engine), -1);
+    point.normal = point.geometric_normal = kUp;
+    const Vec3 to = Vec3(place(engine), place(engine), 5) - point.position;
+    RayCounts counts;
+    const auto through = [&](const Probe& probe) {
+      point.world = &probe.world();
+      return shadow_transmittance(probe.world(), point, normalize(to), length(to), counts);
+    };
+    const Transmittance by_angle = through(constant), by_closure = through(shaded);
+    for (int k = 0; k < 3; ++k) {
+      ASSERT_NEAR(by_angle.all[k], by_closure.all[k], 1e-6f) << i;
+      ASSERT_NEAR(by_angle.clear[k], by_closure.clear[k], 1e-6f) << i;
+      ASSERT_NEAR(by_angle.cut_outs[k], by_closure.cut_outs[k], 1e-6f) << i;
+    }
+    dimmed += by_angle.all.x > 0 && by_angle.all.x < 1;
+  }
+  EXPECT_GT(dimmed, 2000);
+}
+
 TEST(ShadowModes, SurfacesAtOnePlaceCountOnce) {
   SceneText scene = in_mode("on");
   scene.material("veil", "\"reflectivity\" 0, \"cutout_opacity\" .5")
