@@ -24,6 +24,7 @@ Vec3 corner_of(const Light& light) {
 
 std::optional<ShapeSample> sample_flat(const Light& light, const Vec3& from, Vec2 u) {
   ShapeSample s;
+  if (!(dot(from - light.position, light.direction) > 0)) return std::nullopt;  // at its back
   if (light.shape == LightShape::Rectangle && light.axes.square_corners) {
     const sampling::SphericalRectangle rectangle(from, corner_of(light), light.axes);
     const auto r = rectangle.sample(u);

@@ -10,8 +10,9 @@ namespace oriel {
 /// scattered as often as diffuse bounces are traced; without them, once towards the ray.
 ///
 /// Model:   the share `scatter` of the attenuated light is scattered, by a phase function of two
-///          Henyey-Greenstein lobes: r of g1, 1 - r of g2. Each ray segment samples one point for
-///          light sources; the path continues from that point or at the surface, selected randomly.
+///          Henyey-Greenstein lobes: r of g1, 1 - r of g2. Each ray segment samples one point by
+///          transmittance: the path continues from it or at the surface, selected randomly. Light
+///          sources at a place are sampled at a point by transmittance or by their angle.
 ///          Mode 1: the medium ends at y = height. Mode 0 is infinite: light of infinite lights and
 ///          rays without a hit are not attenuated, because nothing would be left of them. No
 ///          photons are stored in the medium. As a lens shader, light is attenuated only on its way
