@@ -141,9 +141,9 @@ Vec3 turned(const PartiVolumeParams& p, const Vec3& forward, const Vec2& u, floa
 /// The points of a stretch at which the light of light sources is sampled.
 ///
 /// Model:   by transmittance, or in half of the samples such that angles seen from the light are
-///          uniform (equiangular), with the balance heuristic. Light near a lamp grows with the
-///          square of the inverse distance, which transmittance knows nothing of. By transmittance
-///          alone for lights without a place, and in a stretch without an end.
+///          uniform (equiangular), with the balance heuristic. Transmittance alone misses lamps
+///          near the ray, whose light grows with the inverse square of the distance. Lights without
+///          a place, and stretches without an end, are sampled by transmittance alone.
 /// Source:  Kulla, Fajardo, "Importance Sampling Techniques for Path Tracing in Participating
 ///          Media", Computer Graphics Forum 31(4), 2012, section 3.2.
 /// Checked: ScatteringMedium.LampsNearTheRayHaveLittleNoise in tests/analytic
