@@ -5,7 +5,6 @@
 #include <array>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "lights/light_sampler.h"
 #include "render/progressive.h"
@@ -59,28 +58,28 @@ Bounces coarse_records(const World& world, const IntegratorPreparation& p,
                         p.seed, p.counts, p.monitor, most_records(p.paths));
 }
 
-/// The best settings that pilot paths have found so far.
+/// Settings that are chosen by pilot paths, one step after the other.
 class BestSettings {
  public:
   BestSettings(const World& world, const IntegratorPreparation& p, const PathSettings& settings)
       : world_(world), p_(p), settings_(settings), pilots_(trace(settings)) {}
 
   const PathSettings& settings() const { return settings_; }
-  /// Takes those settings by which pilot paths gain most, if that is worthwhile.
-  void take_best_of(const std::vector<PathSettings>& choices) {
-    std::optional<PilotPaths> best;
-    float most = kWorthwhileGain;
-    const PathSettings before = settings_;
-    for (const PathSettings& settings : choices) {
-      PilotPaths pilots = trace(settings);
-      const float kept = settings.guide && !before.guide ? kKeptWithGuide : 1;
-      const float gain = kept * pilots.compare(pilots_).efficiency();
-      if (gain < most) continue;
-      most = gain;
-      settings_ = settings;
-      best = std::move(pilots);
-    }
-    if (best) pilots_ = std::move(*best);
+  /// Whether paths gain more by these settings than by all others of this step.
+  bool improve(const PathSettings& settings) {
+    PilotPaths pilots = trace(settings);
+    const float kept = settings.guide ? kKeptWithGuide : 1;
+    const float gain = kept * pilots.compare(pilots_).efficiency();
+    if (gain < (next_ ? next_->gain : kWorthwhileGain)) return false;
+    next_.emplace(settings, std::move(pilots), gain);
+    return true;
+  }
+  /// Ends a step: the best of it are the settings.
+  void settle() {
+    if (!next_) return;
+    settings_ = next_->settings;
+    pilots_ = std::move(next_->pilots);
+    next_.reset();
   }
 
  private:
@@ -98,6 +97,14 @@ class BestSettings {
   const IntegratorPreparation& p_;
   PathSettings settings_;
   PilotPaths pilots_;
+  struct Next {
+    Next(const PathSettings& settings, PilotPaths pilots, float gain)
+        : settings(settings), pilots(std::move(pilots)), gain(gain) {}
+    PathSettings settings;
+    PilotPaths pilots;
+    float gain;
+  };
+  std::optional<Next> next_;
 };
 
 /// Samples of each of so many lights at a point.
@@ -164,25 +171,27 @@ LearnedLight learn_light(const World& world, const IntegratorPreparation& p,
   learned.lights = learn_lights(world, p, records);
   PathSettings with = best.settings();
   with.lights = &learned.lights;
-  if (!learned.lights.empty()) best.take_best_of({with});
+  if (!learned.lights.empty()) best.improve(with);
+  best.settle();
   if (!best.settings().lights) learned.lights = {};
   learned.emitters = learn_emitters(world, p, records);
   with = best.settings();
   with.emitters = &learned.emitters;
-  if (!learned.emitters.empty()) best.take_best_of({with});
+  if (!learned.emitters.empty()) best.improve(with);
+  best.settle();
   if (!best.settings().emitters) learned.emitters = {};
-  // More rays are worth more with a guide, by which many of them end soon.
   learned.guide = learn_directions(world, p, records, kFirstRays);
-  const auto choice = [&](const DirectionGuide* guide, int rays) {
-    PathSettings chosen = best.settings();
-    chosen.guide = guide;
-    chosen.diffuse_rays = rays;
-    return chosen;
-  };
-  std::vector<PathSettings> choices{choice(nullptr, kDiffuseRays[1])};
+  with = best.settings();
+  with.diffuse_rays = kDiffuseRays[1];
+  best.improve(with);
+  // More rays are worth more with a guide, by which many of them end soon.
+  with.guide = &learned.guide;
   if (!learned.guide.empty())
-    for (const int rays : kDiffuseRays) choices.push_back(choice(&learned.guide, rays));
-  best.take_best_of(choices);
+    for (const int rays : kDiffuseRays) {
+      with.diffuse_rays = rays;
+      if (!best.improve(with) && rays > 1) break;
+    }
+  best.settle();
   if (!best.settings().guide) learned.guide = {};
   learned.diffuse_rays = best.settings().diffuse_rays;
   const double rays = p.paths * kRaysForEachPath / double(records.points.size());
