@@ -32,10 +32,13 @@ constexpr int kFirstRays = 64, kMostRays = 512;
 constexpr double kRaysForEachPath = 0.06;
 /// Least gain for which paths use something that was learned.
 constexpr float kWorthwhileGain = 1.1f;
-/// Pilot paths compare noise and rays, but not the time of look-ups in the guide. In 20 scenes,
-/// pictures with a guide gain .81 to .96 of what pilot paths find, with two diffuse rays as well
-/// .88 to 1.1, and with two rays alone .9 to 1.2.
+/// Pilot paths compare noise and rays, but not the time of look-ups in the guide. In nine scenes,
+/// pictures with a guide gain .81 to 1.05 of what pilot paths find (mean .9), with a guide and two
+/// diffuse rays .88 to 1.15, with two rays alone .94 to 1.5.
 constexpr float kKeptWithGuide = 0.9f;
+/// Pilot paths of two choices differ by chance by about a tenth: a choice that costs more per path
+/// has to be better by this factor.
+constexpr float kClearlyBetter = 1.08f;
 /// Pilot paths of each choice of settings as a share of all paths, and their pixels.
 constexpr double kPilotShare = 0.01;
 constexpr double kFewestPilotPixels = 512, kMostPilotPixels = 4096;
@@ -65,12 +68,12 @@ class BestSettings {
       : world_(world), p_(p), settings_(settings), pilots_(trace(settings)) {}
 
   const PathSettings& settings() const { return settings_; }
-  /// Whether paths gain more by these settings than by all others of this step.
+  /// Whether paths gain clearly more by these settings than by all others of this step.
   bool improve(const PathSettings& settings) {
     PilotPaths pilots = trace(settings);
-    const float kept = settings.guide ? kKeptWithGuide : 1;
+    const float kept = settings.guide && settings.diffuse_rays == 1 ? kKeptWithGuide : 1;
     const float gain = kept * pilots.compare(pilots_).efficiency();
-    if (gain < (next_ ? next_->gain : kWorthwhileGain)) return false;
+    if (gain < (next_ ? kClearlyBetter * next_->gain : kWorthwhileGain)) return false;
     next_.emplace(settings, std::move(pilots), gain);
     return true;
   }
