@@ -45,9 +45,9 @@ void Path::add_found(const LightInReflection& in, float kept, const Rgb& arrivin
 }
 
 /// Adds lights with a shape that the ray hits before the surface. A visible light ends rays that
-/// see it as an object (camera and mirrors). Rays of glossy and diffuse lobes add its weighted
-/// light and continue, since lights cast no shadows on each other. Portals end those rays as well:
-/// their light includes everything behind them.
+/// see it as an object (camera and mirrors), behind the volume on the way. Rays of glossy and
+/// diffuse lobes add its weighted light and continue, since lights cast no shadows on each other.
+/// Portals end those rays as well: their light includes everything behind them.
 Path::AtLights Path::meet_lights(float t_surface) {
   if (!settings_.finite_lights)
     return way_.kind == RayKind::FinalGather && ends_at_portal(world_, way_.ray, t_surface)
@@ -125,8 +125,8 @@ Path::AtLights Path::meet_lights(float t_surface) {
   }
   seen *= view * kept_over(nearest);
   if (eye_hit_.pending) record_->alpha = 1;
-  // Through a portal a ray leaves the scene.
-  if (!world_.lights[static_cast<std::size_t>(seen_light)].portal &&
+  // Through a portal a ray leaves the scene. Visitors are shown surfaces along straight rays.
+  if (!visitor_ && !world_.lights[static_cast<std::size_t>(seen_light)].portal &&
       pass_volume(way_.ray.org + way_.ray.dir * nearest, from_.passed + nearest)) {
     eye_hit_.pending = eye_hit_.alpha_open = false;
     return AtLights::Scattered;
