@@ -123,19 +123,24 @@ Path::AtLights Path::meet_lights(float t_surface) {
     dim(view);
     return AtLights::Passed;
   }
-  seen *= view * kept_over(nearest);
+  return end_at_light(seen_light, nearest, seen * view);
+}
+
+/// Ends a ray at a light at distance t whose radiance it sees, behind the volume on the way.
+Path::AtLights Path::end_at_light(int light, float t, const Rgb& radiance) {
+  const Rgb seen = radiance * kept_over(t);
   if (eye_hit_.pending) record_->alpha = 1;
   // Through a portal a ray leaves the scene. Visitors are shown surfaces along straight rays.
-  if (!visitor_ && !world_.lights[static_cast<std::size_t>(seen_light)].portal &&
-      pass_volume(way_.ray.org + way_.ray.dir * nearest, from_.passed + nearest)) {
+  if (!visitor_ && !world_.lights[static_cast<std::size_t>(light)].portal &&
+      pass_volume(way_.ray.org + way_.ray.dir * t, from_.passed + t)) {
     eye_hit_.pending = eye_hit_.alpha_open = false;
     return AtLights::Scattered;
   }
-  const float kept = fading_.kept(nearest);
-  add(aov_.on_way(), light_.throughput * seen * kept, layer_of_light(seen_light));
+  const float kept = fading_.kept(t);
+  add(aov_.on_way(), light_.throughput * seen * kept, layer_of_light(light));
   if (kept < 1) add(aov_.on_way(), light_.throughput * faded_to() * (1 - kept), layer_of_faded());
   // Final gather rays see a black wall instead of a portal.
-  if (eye_hit_.pending && !sees) record_->depth = nearest;
+  if (eye_hit_.pending && from_.weighed) record_->depth = t;
   return AtLights::Ended;
 }
 

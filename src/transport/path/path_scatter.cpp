@@ -235,6 +235,25 @@ void Path::add_direct(const Closure& closure, const DirectLight& light, std::siz
   bring(Aov::Indirect, light.environment * light_.occlusion * indirect);
 }
 
+void Path::leave_diffusely(float indirect_scale, LobeKind kind) {
+  light_.throughput *= indirect_factor();
+  way_.kind = RayKind::FinalGather;
+  caustics_ = maps_read_here();
+  depth_.after_diffuse = true;
+  way_.blurred = false;
+  depth_.reflections = depth_.refractions = 0;
+  if (!straight_rays_fade(world_.options)) way_.medium.ignore();
+  way_.cone.spread = std::max(way_.cone.spread, kDiffuseSpread);
+  ++depth_.bounces;
+  ++depth_.diffuse_bounces;
+  light_.throughput *= indirect_scale;
+  if (kind == LobeKind::Diffuse)
+    light_.throughput *= light_.occlusion;
+  else
+    light_.near_distance = 0;
+  way_.to_far_side = !settings_.indirect;
+}
+
 void Path::scatter(const Closure& closure, const Material& material, ShadingPoint& point,
                    const ClosureSample& sample) {
   const Lobe& lobe = closure.lobes[sample.lobe];
@@ -248,22 +267,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   switch (lobe.kind) {
     case LobeKind::Diffuse:
     case LobeKind::Translucency:
-      light_.throughput *= indirect_factor();
-      way_.kind = RayKind::FinalGather;
-      caustics_ = maps_read_here();
-      depth_.after_diffuse = true;
-      way_.blurred = false;
-      depth_.reflections = depth_.refractions = 0;
-      if (!straight_rays_fade(world_.options)) way_.medium.ignore();
-      way_.cone.spread = std::max(way_.cone.spread, kDiffuseSpread);
-      ++depth_.bounces;
-      ++depth_.diffuse_bounces;
-      light_.throughput *= closure.indirect_scale;
-      if (lobe.kind == LobeKind::Diffuse)
-        light_.throughput *= light_.occlusion;
-      else
-        light_.near_distance = 0;
-      way_.to_far_side = !settings_.indirect;
+      leave_diffusely(closure.indirect_scale, lobe.kind);
       break;
     case LobeKind::Mirror:
     case LobeKind::GlossyReflection:

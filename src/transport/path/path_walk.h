@@ -224,6 +224,7 @@ class Path {
   /// What lights with a shape did to a ray: it ended at one, or was scattered before it.
   enum class AtLights { Passed, Ended, Scattered };
   AtLights meet_lights(float t_surface);
+  AtLights end_at_light(int light, float t, const Rgb& radiance);
   void add_found(const LightInReflection& in, float kept, const Rgb& arriving, const Rgb& view,
                  std::size_t layer);
   bool ends_at(const Portal& portal) const;
@@ -269,6 +270,7 @@ class Path {
   int rays_at_first(float samples, float importance) const;
   bool continue_path(const Closure& closure, const LobeChoice& choice, const Material& material,
                      ShadingPoint& point, int lobe, float u_rest, bool weighed = true);
+  void leave_diffusely(float indirect_scale, LobeKind kind);
   void scatter(const Closure& closure, const Material& material, ShadingPoint& point,
                const ClosureSample& sample);
   bool shade_vertex(Closure& closure, const Material& material, ShadingPoint& point);
