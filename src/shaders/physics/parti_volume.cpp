@@ -154,11 +154,17 @@ class LightPlaces {
     float weight;  ///< density by transmittance relative to that of all samples
   };
 
-  /// Inputs:  t: a sample by transmittance; u: for the other samples; by_angle: whether this is
-  ///          one.
-  LightPlaces(const ShadingPoint& eye, const Stretch& s, float extinction, float t, float u,
-              bool by_angle)
-      : eye_(eye), s_(s), extinction_(extinction), t_(t), u_(u), by_angle_(by_angle) {}
+  /// Inputs:  taken: share of light that the stretch takes; t: a sample by transmittance; u: for
+  ///          the other samples; by_angle: whether this is one.
+  LightPlaces(const ShadingPoint& eye, const Stretch& s, float extinction, float taken, float t,
+              float u, bool by_angle)
+      : eye_(eye),
+        s_(s),
+        extinction_(extinction),
+        taken_(taken),
+        t_(t),
+        u_(u),
+        by_angle_(by_angle) {}
 
   Place of(const Light& light) const {
     if (light.shape == LightShape::Directional || !std::isfinite(s_.end)) return {t_, 1};
@@ -174,15 +180,14 @@ class LightPlaces {
     float t = t_;
     if (by_angle_) t = clamp(nearest + distance * math::tan(from + u_ * angle), s_.begin, s_.end);
     const float by_angle = distance / (angle * (sqr(distance) + sqr(t - nearest)));
-    const float taken = -math::expm1(-extinction_ * s_.length());
-    const float by_loss = extinction_ * math::exp(-extinction_ * (t - s_.begin)) / taken;
+    const float by_loss = extinction_ * math::exp(-extinction_ * (t - s_.begin)) / taken_;
     return {t, 2 * by_loss / (by_loss + by_angle)};
   }
 
  private:
   const ShadingPoint& eye_;
   const Stretch& s_;
-  float extinction_, t_, u_;
+  float extinction_, taken_, t_, u_;
   bool by_angle_;
 };
 
@@ -212,7 +217,7 @@ VolumeValue evaluate_medium(const Call& call) {
   if (is_photon(eye.ray_kind)) return out;
   const NodeList& dimming = eye.world->light_volume;
   const bool dims = std::find(dimming.begin(), dimming.end(), call.node) == dimming.end();
-  const LightPlaces places(eye, s, p.extinction, t, u.y, choice.y < 0.5f);
+  const LightPlaces places(eye, s, p.extinction, taken, t, u.y, choice.y < 0.5f);
   ShadingPoint point = eye;
   const auto add = [&](int light) {
     const auto place = places.of(eye.world->lights[static_cast<std::size_t>(light)]);

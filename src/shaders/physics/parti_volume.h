@@ -11,8 +11,9 @@ namespace oriel {
 ///
 /// Model:   the share `scatter` of the attenuated light is scattered, by a phase function of two
 ///          Henyey-Greenstein lobes: r of g1, 1 - r of g2. Each ray segment samples one point by
-///          transmittance: the path continues from it or at the surface, selected randomly. Light
-///          sources at a place are sampled at a point by transmittance or by their angle.
+///          transmittance: the path continues from it or at the surface, selected randomly. The
+///          light of lamps is sampled at a point by transmittance or by the angle seen from the
+///          lamp.
 ///          Mode 1: the medium ends at y = height. Mode 0 is infinite: light of infinite lights and
 ///          rays without a hit are not attenuated, because nothing would be left of them. No
 ///          photons are stored in the medium. As a lens shader, light is attenuated only on its way
