@@ -60,7 +60,8 @@ class Oriel:
 
     @staticmethod
     def paint(name, base, folder):
-        """A picture of 2048 x 2048 pixels with grain around the colour; of 256 x 256 with a leaf."""
+        """A picture of 2048 x 2048 pixels with grain around the colour; of 256 x 256 with a leaf;
+        of 2048 x 2048 with round dents."""
         path = os.path.join(folder, name + ".png")
         if base == "leaf":
             y, x = numpy.mgrid[-1:1:256j, -1:1:256j]

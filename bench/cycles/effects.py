@@ -3,8 +3,8 @@
 
 Further keys: `lens` of a camera (radius of the aperture, distance of the sharp plane); `fog` of a
 scene (extinction; all of it scatters, in a closed room). Further materials: `frosted` glass;
-`brushed` metal, with the quotient of its highlights' width and height; `bump` of a glossy one is a picture and the
-height of its white.
+`brushed` metal, with the `ratio` of width to height of its highlights. `bump` of a glossy material:
+a picture, and the height of its white.
 """
 import math
 import random

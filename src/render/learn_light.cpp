@@ -36,8 +36,8 @@ constexpr float kWorthwhileGain = 1.1f;
 /// pictures with a guide gain .81 to 1.05 of what pilot paths find (mean .9), with a guide and two
 /// diffuse rays .88 to 1.15, with two rays alone .94 to 1.5.
 constexpr float kKeptWithGuide = 0.9f;
-/// Pilot paths of two choices differ by chance by about a tenth: a choice that costs more per path
-/// has to be better by this factor.
+/// Pilot paths of two choices differ by chance by about a tenth: a choice has to gain this many
+/// times as much as the best one before it.
 constexpr float kClearlyBetter = 1.08f;
 /// Pilot paths of each choice of settings as a share of all paths, and their pixels.
 constexpr double kPilotShare = 0.01;
@@ -68,7 +68,8 @@ class BestSettings {
       : world_(world), p_(p), settings_(settings), pilots_(trace(settings)) {}
 
   const PathSettings& settings() const { return settings_; }
-  /// Whether paths gain clearly more by these settings than by all others of this step.
+  /// Compares the settings with those before this step. Returns whether they gain clearly more than
+  /// all others of the step; these are kept for settle().
   bool improve(const PathSettings& settings) {
     PilotPaths pilots = trace(settings);
     const float kept = settings.guide && settings.diffuse_rays == 1 ? kKeptWithGuide : 1;
