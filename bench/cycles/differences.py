@@ -5,9 +5,9 @@
     bench/cycles/differences.py --oriel build/release/bin/oriel --probe STUDIO.hdr [SCENE ...]
 
 The error of a program is half of the mean squared difference of its pictures with other seeds,
-relative to their median, without .2 % of the pixels. It is the noise without a bias, so that dots of
-a converged picture do not matter; agreement of the programs is measured by compare.py. Times are
-those of compare.py.
+relative to the mean of these and of a picture with LONGER times as many samples, without .2 % of the
+pixels. It is the noise without a bias, so that dots of a converged picture do not matter; agreement
+of the programs is measured by compare.py. Times are those of compare.py.
 """
 import os
 import sys
@@ -21,12 +21,13 @@ import compare  # noqa: E402  beside this file
 import measure  # noqa: E402
 
 LEFT_OUT = .002
+LONGER = 16
 
 
-def noise(pictures):
-    """Mean over the pairs of pictures."""
-    middle = numpy.median(pictures, axis=0)
-    return numpy.mean([measure.error(a, b, middle, LEFT_OUT) / 2
+def noise(pictures, longer):
+    """Mean over the pairs of pictures. Relative to themselves, the error of noisy ones is bounded."""
+    level = (sum(pictures) + LONGER * longer) / (len(pictures) + LONGER)
+    return numpy.mean([measure.error(a, b, level, LEFT_OUT) / 2
                        for i, a in enumerate(pictures) for b in pictures[:i]])
 
 
@@ -43,7 +44,8 @@ def main():
             cost, cells = [], []
             for renderer in (oriel, compare.Cycles(args, name, folder, oriel)):
                 runs = [renderer.render(args.samples, 500 + k) for k in range(args.pictures)]
-                error = noise([r["picture"] for r in runs])
+                longer = renderer.render(LONGER * args.samples, 400, threads=0, adaptive=False)
+                error = noise([r["picture"] for r in runs], longer["picture"])
                 seconds = numpy.median([r["seconds"] for r in runs])
                 cost.append(error * seconds)
                 cells.append(f"{error:.4f} in {seconds:.2f} s")

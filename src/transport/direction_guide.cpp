@@ -102,6 +102,13 @@ LocalGuide DirectionGuide::at(const Vec3& position, const Vec3& normal) const {
   return {densities_[cell], guide_frame(normal), light_[cell]};
 }
 
+void GuidePoint::add(const GuidePoint& more) {
+  rays += more.rays;
+  const float share = static_cast<float>(more.rays) / static_cast<float>(rays);
+  mean += (more.mean - mean) * share;
+  for (std::size_t k = 0; k < kGuideCells; ++k) light[k] = lerp(light[k], more.light[k], share);
+}
+
 DirectionGuide::DirectionGuide(std::span<const GuidePoint> points) {
   std::vector<SurfaceTree::Point> places;
   places.reserve(points.size());

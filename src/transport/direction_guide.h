@@ -87,6 +87,10 @@ struct GuidePoint {
   Vec3 position{0}, normal{0, 0, 1};
   GuideSquare light{};  ///< mean luminance in each cell, in guide_frame(normal)
   Rgb mean{0};          ///< radiance, mean over the square
+  int rays = 1;         ///< that the light was measured with
+
+  /// Averages the light with that of other rays at the same place, each by its rays.
+  void add(const GuidePoint& more);
 };
 
 /// The frame of all guides of surfaces with that unit normal. It turns smoothly between normals of

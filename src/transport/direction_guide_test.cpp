@@ -39,6 +39,25 @@ TEST(GuideDensity, FollowsTheLightAndIsOneOnTheAverage) {
   EXPECT_NEAR(mean, 1, 1e-6);
 }
 
+TEST(GuidePoint, AveragesRays) {
+  GuidePoint few, many;
+  few.rays = 64;
+  few.light[3] = 8;
+  few.mean = Rgb(1, 2, 3);
+  many.rays = 192;
+  many.light[3] = 4;
+  many.light[7] = 2;
+  many.mean = Rgb(5, 2, 7);
+  few.add(many);
+  EXPECT_EQ(few.rays, 256);
+  EXPECT_FLOAT_EQ(few.light[3], 5);
+  EXPECT_FLOAT_EQ(few.light[7], 1.5f);
+  EXPECT_EQ(few.light[0], 0);
+  EXPECT_FLOAT_EQ(few.mean.x, 4);
+  EXPECT_FLOAT_EQ(few.mean.y, 2);
+  EXPECT_FLOAT_EQ(few.mean.z, 6);
+}
+
 TEST(GuideDensity, IsUniformWithoutLight) {
   const GuideDensity density(GuideSquare{});
   float d = 0;

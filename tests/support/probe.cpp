@@ -162,7 +162,7 @@ Probe& Probe::guided(int rays) {
   settings.path.diffuse_bounces = PathSettings::kAllBounces;
   const Bounces coarse = coarse_records(settings);
   guide_ =
-      std::make_unique<DirectionGuide>(guide_points(*world_, coarse, rays, 0, counts, monitor));
+      std::make_unique<DirectionGuide>(guide_points(*world_, coarse, rays, 0, 0, counts, monitor));
   settings_.guide = guide_->empty() ? nullptr : guide_.get();
   EXPECT_TRUE(settings_.guide) << "no points for a guide";
   return *this;

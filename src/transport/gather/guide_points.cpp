@@ -53,6 +53,7 @@ class GuideRays {
   GuidePoint light_at(const GatherPoint& at, const sampling::Sampler& sampler,
                       RayCounts& counts) const {
     GuidePoint point{at.point.position, at.normal};
+    point.rays = strata_.count() * strata_.each;
     const Frame frame = guide_frame(at.normal);
     const int side = strata_.side, cells = static_cast<int>(kGuideSide) / side;
     for (int i = 0; i < strata_.count(); ++i) {
@@ -97,14 +98,14 @@ class GuideRays {
 }  // namespace
 
 std::vector<GuidePoint> guide_points(const World& world, const Bounces& coarse, int rays,
-                                     std::uint32_t seed, RayCounts& counts,
+                                     std::uint32_t pass, std::uint32_t seed, RayCounts& counts,
                                      const ProgressMonitor& monitor) {
   const GuideRays of_point(world, coarse, rays);
   std::vector<GuidePoint> points(coarse.points.size());
   std::vector<RayCounts> traced(points.size());
   parallel_for(points.size(), [&](std::size_t i) {
     if (monitor.cancelled()) return;
-    const sampling::Sampler stream(kGuideColumn, static_cast<int>(i), 0, seed);
+    const sampling::Sampler stream(kGuideColumn, static_cast<int>(i), pass, seed);
     points[i] = of_point.light_at(coarse.points[i], stream, traced[i]);
   });
   for (const RayCounts& own : traced) counts += own;
