@@ -21,7 +21,7 @@ import compare  # noqa: E402  beside this file
 import measure  # noqa: E402
 
 LEFT_OUT = .002
-LONGER = 16
+LONGER = 8
 
 
 def noise(pictures, longer):

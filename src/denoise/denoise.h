@@ -80,7 +80,7 @@ DenoisedPicture denoise_with_parts(const DenoiseInput& input, const DenoiseOptio
 ///          than its surface, because a rare sample made it. The brightness of a surface is that of
 ///          the third brightest of the 24 neighbours, each as in the darker half of its samples,
 ///          without neighbours that are known to be much brighter: these are another surface. What
-///          both halves have stays if its error shows that at least three samples made it. The
+///          both halves have stays if its error shows that at least five samples made it. The
 ///          excess is added to the neighbourhood in proportion to brightness and nearness, so the
 ///          sum of the picture does not change. The more samples, the smaller the error: the limit
 ///          is the picture itself.

@@ -14,9 +14,9 @@ namespace {
 /// and is brighter by kOutlierFactor than all but two of the pixels around it.
 constexpr float kOutlierError = 0.2f, kOutlierFactor = 1.35f;
 constexpr int kOutlierPeers = 2, kOutlierRadius = 2;
-/// Error, relative to the value, of a pixel that fewer than three of its samples made: k equal
+/// Error, relative to the value, of a pixel that fewer than five of its samples made: k equal
 /// samples among many black ones give 1/sqrt(k).
-constexpr float kRareError = 0.6f;
+constexpr float kRareError = 0.45f;
 /// A neighbour belongs to another surface if it is brighter by kOtherSurface and its error is below
 /// kKnownError of its value.
 constexpr float kOtherSurface = 2, kKnownError = 0.3f;

@@ -50,6 +50,22 @@ TEST(Outliers, AreNotPixelsThatAreBrightInTruth) {
   EXPECT_EQ(p.spread().pixels, p.color.pixels);
 }
 
+/// Few samples made the light of a pixel, as many in each half of the samples.
+TEST(Outliers, AreMadeByFewSamplesThatBothHalvesMayHave) {
+  for (const int samples : {2, 4, 8, 16}) {
+    Picture p;
+    p.set(40, 50, 5, 5 / std::sqrt(static_cast<float>(samples)));
+    const Image equal(kSize, kSize, 3);
+    const Image out =
+        spread_outliers({.color = &p.color, .half_difference = &equal, .variance = &p.variance});
+    EXPECT_NEAR(sum(out) / sum(p.color), 1, 1e-5) << samples;
+    if (samples < 5)
+      EXPECT_LT(out.at(40, 50)[0], 1.3f) << samples;
+    else
+      EXPECT_EQ(out.pixels, p.color.pixels) << samples;
+  }
+}
+
 TEST(Outliers, AreNotPartsOfBrightRegions) {
   Picture p;
   for (int y = 50; y < 54; ++y)

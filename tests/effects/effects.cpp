@@ -158,12 +158,8 @@ Measured seen_from_above(const SceneText& scene, float degrees, int samples) {
 }  // namespace
 
 const Registry& known_shaders() {
-  static const Registry registry([] {
-    std::vector<const ShaderSpec*> specs = testing::test_registry().all();
-    specs.push_back(&kTestShow);
-    return specs;
-  }());
-  return registry;
+  static const Registry all = testing::test_registry_with({&kTestShow});
+  return all;
 }
 
 std::string shown_as_light(const std::string& call, const std::string& elements,

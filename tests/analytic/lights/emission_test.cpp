@@ -60,12 +60,8 @@ constexpr ShaderSpec kTestStep = {
         },
 };
 const Registry& step_registry() {
-  static const Registry registry([] {
-    std::vector<const ShaderSpec*> all = test_registry().all();
-    all.push_back(&kTestStep);
-    return all;
-  }());
-  return registry;
+  static const Registry all = test_registry_with({&kTestStep});
+  return all;
 }
 
 /// Mesh lights exist, agree with rays alone and with the exact value, and have less error.

@@ -128,12 +128,8 @@ constexpr ShaderSpec kFlagLight = {.name = "flag_light",
                                    }};
 
 const Registry& flag_registry() {
-  static const Registry registry([] {
-    std::vector<const ShaderSpec*> all = test_registry().all();
-    all.push_back(&kFlagLight);
-    return all;
-  }());
-  return registry;
+  static const Registry all = test_registry_with({&kFlagLight});
+  return all;
 }
 
 /// Diffuse light and highlights of a glossy floor.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <random>
 #include <string>
-#include <vector>
 
 #include "support/probe.h"
 #include "transport/shadow.h"
@@ -27,11 +26,7 @@ constexpr ShaderSpec kTestStripes = {
 };
 
 const Registry& registry() {
-  static const Registry all([] {
-    std::vector<const ShaderSpec*> specs = test_registry().all();
-    specs.push_back(&kTestStripes);
-    return specs;
-  }());
+  static const Registry all = test_registry_with({&kTestStripes});
   return all;
 }
 

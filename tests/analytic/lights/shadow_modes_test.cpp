@@ -52,11 +52,7 @@ constexpr ShaderSpec kTestStep = {
 };
 
 const Registry& registry() {
-  static const Registry all([] {
-    std::vector<const ShaderSpec*> specs = test_registry().all();
-    specs.push_back(&kTestStep);
-    return specs;
-  }());
+  static const Registry all = test_registry_with({&kTestStep});
   return all;
 }
 Probe probe_of(const SceneText& scene) {

@@ -26,12 +26,8 @@ constexpr ShaderSpec kTestAxis = {
 };
 
 const Registry& axis_registry() {
-  static const Registry registry([] {
-    std::vector<const ShaderSpec*> specs = test_registry().all();
-    specs.push_back(&kTestAxis);
-    return specs;
-  }());
-  return registry;
+  static const Registry all = test_registry_with({&kTestAxis});
+  return all;
 }
 
 Vec3 direction(float turns) { return Vec3(std::cos(turns * kTwoPi), std::sin(turns * kTwoPi), 0); }

@@ -29,11 +29,7 @@ constexpr ShaderSpec kTestLean = {
 };
 
 const Registry& registry() {
-  static const Registry all([] {
-    std::vector<const ShaderSpec*> specs = test_registry().all();
-    specs.push_back(&kTestLean);
-    return specs;
-  }());
+  static const Registry all = test_registry_with({&kTestLean});
   return all;
 }
 

@@ -216,9 +216,7 @@ constexpr ShaderSpec kTestAsked = {
 
 // acceptance: R6
 TEST(ReflectionFalloff, SurfacesBeyondAreNotReached) {
-  std::vector<const ShaderSpec*> specs = test_registry().all();
-  specs.push_back(&kTestAsked);
-  const Registry registry(specs);
+  const Registry registry = test_registry_with({&kTestAsked});
   const auto asked = [&](float height, const std::string& falloff) {
     SceneText scene;
     scene.material("m", metal(1, falloff))

@@ -27,11 +27,7 @@ constexpr ShaderSpec kTestNormal = {
 };
 
 const Registry& registry() {
-  static const Registry all([] {
-    std::vector<const ShaderSpec*> specs = test_registry().all();
-    specs.push_back(&kTestNormal);
-    return specs;
-  }());
+  static const Registry all = test_registry_with({&kTestNormal});
   return all;
 }
 

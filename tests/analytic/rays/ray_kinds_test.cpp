@@ -56,11 +56,7 @@ constexpr ShaderSpec kTestKind = {
 };
 
 const Registry& registry() {
-  static const Registry all([] {
-    std::vector<const ShaderSpec*> specs = test_registry().all();
-    specs.push_back(&kTestKind);
-    return specs;
-  }());
+  static const Registry all = test_registry_with({&kTestKind});
   return all;
 }
 

@@ -35,11 +35,7 @@ constexpr ShaderSpec kTestLamps = {
 };
 
 const Registry& registry() {
-  static const Registry all([] {
-    std::vector<const ShaderSpec*> specs = test_registry().all();
-    specs.push_back(&kTestLamps);
-    return specs;
-  }());
+  static const Registry all = test_registry_with({&kTestLamps});
   return all;
 }
 

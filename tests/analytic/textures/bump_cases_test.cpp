@@ -23,11 +23,7 @@ constexpr ShaderSpec kTestLinks = {
 };
 
 const Registry& registry() {
-  static const Registry all([] {
-    std::vector<const ShaderSpec*> specs = test_registry().all();
-    specs.push_back(&kTestLinks);
-    return specs;
-  }());
+  static const Registry all = test_registry_with({&kTestLinks});
   return all;
 }
 
