@@ -79,8 +79,8 @@ DenoisedPicture denoise_with_parts(const DenoiseInput& input, const DenoiseOptio
 /// Model:   an outlier is a pixel with an error of at least a fifth of its value that is brighter
 ///          than its surface, because a rare sample made it. The brightness of a surface is that of
 ///          the third brightest of the 24 neighbours, each as in the darker half of its samples,
-///          without neighbours that are known to be much brighter: these are another surface. What
-///          both halves have stays if its error shows that at least five samples made it. The
+///          without neighbours that are known to be much brighter: these are another surface. Light
+///          of both halves stays if its error shows that at least five samples made it. The
 ///          excess is added to the neighbourhood in proportion to brightness and nearness, so the
 ///          sum of the picture does not change. The more samples, the smaller the error: the limit
 ///          is the picture itself.

@@ -22,9 +22,9 @@ constexpr double kLeastPaths = 1 << 20;
 /// Rays of a coarse record before BounceSolver halves them. Records only steer paths, so that many
 /// rough ones serve better than few exact ones.
 constexpr int kRaysOfRecord = 64;
-/// Camera paths for each record, at least, so that learning is not more work than the picture. With
-/// half as many records of 2.5 million paths the error grows by 0 to 3 % and learning takes half
-/// the time; with a quarter it grows by 4 to 17 % in boxes and rooms.
+/// Camera paths for each record, at least, so that learning is not more work than the picture. Half
+/// as many records as with 1200 change the error by 0 to 3 % and take half the time; a quarter adds
+/// 4 to 17 % in boxes and rooms.
 constexpr double kPathsOfRecord = 2400;
 /// Rays of each guide point for a first guide, by which pilot paths decide, and rays of all points
 /// of the final guide for each camera path. More rays give a better guide: in a box, the squared
