@@ -77,7 +77,7 @@ DenoisedPicture denoise_with_parts(const DenoiseInput& input, const DenoiseOptio
 /// The picture with the light of outliers spread over their neighbourhood.
 ///
 /// Model:   an outlier is a pixel with an error of at least a fifth of its value that is brighter
-///          than its surface, because a rare sample made it. The brightness of a surface is that of
+///          than its surface, because few samples made it. The brightness of a surface is that of
 ///          the third brightest of the 24 neighbours, each as in the darker half of its samples,
 ///          without neighbours that are known to be much brighter: these are another surface. Light
 ///          of both halves stays if its error shows that at least five samples made it. The

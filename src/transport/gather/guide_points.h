@@ -11,7 +11,8 @@ namespace oriel {
 /// behind reflect. Light that the samples of lights at the point find as well counts by the MIS
 /// weight of the ray.
 ///
-/// Inputs:  rays: of each point, about; pass: each has rays of its own.
+/// Inputs:  rays: of each point, about; pass: calls with different numbers trace
+///          different rays.
 /// Checked: Guiding.*, GuidedPictures.* in tests/cross_method
 std::vector<GuidePoint> guide_points(const World& world, const Bounces& coarse, int rays,
                                      std::uint32_t pass, std::uint32_t seed, RayCounts& counts,
