@@ -72,6 +72,26 @@ def fog():
             "background": 0.0, "fog": .15, "camera": camera((2.6, 1.6, 2.6), (-.6, 1.0, -.6), 1.4)}
 
 
+def mist():
+    """A hall with 64 lamps of different strengths and twelve spots in thin fog."""
+    rng = random.Random(9)
+    meshes = shell(9, 4, 7)
+    for x, z in ((-5, -3), (0, -3.5), (4.5, -2), (-4, 2.5), (2, 3)):
+        meshes += [*table(x, z, 1.2, .6, .75), *chair(x + .3, z + .9)]
+    meshes += [box("brick", (-7, 0, -5), (-6.4, 3, -4.4)), box("brick", (6, 0, -5), (6.6, 3, -4.4))]
+    lamps = []
+    for i in range(64):
+        x, z = -8 + 16 * (i % 8 + .5) / 8, -6 + 12 * (i // 8 + .5) / 8
+        found, plates = ceiling_lamps([(x, 3.97, z)], .2, .2, rng.choice((.5, 1, 2, 12)) * 6)
+        lamps += found
+        meshes += plates
+    for k in range(12):
+        lamps.append({"kind": "spot", "centre": (-7.5 + 1.4 * k, 3.8, 5 - 10 * (k % 2)), "half_angle": 14,
+                      "direction": (rng.uniform(-.5, .5), -1, rng.uniform(-.5, .5)), "intensity": 25.0})
+    return {"meshes": meshes, "materials": materials(*DIFFUSE), "lights": lamps, "background": 0.0,
+            "fog": .06, "camera": camera((8, 1.7, 6), (-2, 1.6, -2), 1.4)}
+
+
 def frosted():
     """A bathroom whose lamp stands behind a partition of frosted glass, before a brushed wall."""
     meshes = shell(2.2, 2.6, 2.2) + [

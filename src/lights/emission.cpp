@@ -27,6 +27,10 @@ class EmptyTracer final : public Tracer {
   std::optional<Met> probe_from(const ShadingPoint&, const Vec3&, float) override {
     return std::nullopt;
   }
+  PickedLights pick_lights(const Vec3&) override {
+    asked = true;
+    return {};
+  }
   std::optional<Arriving> light(int, ShadingPoint&) override {
     asked = true;
     return std::nullopt;

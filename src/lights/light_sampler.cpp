@@ -114,9 +114,7 @@ std::size_t LightSampler::set_of(const Light& light) {
 
 bool LightSampler::needs_random(const LitVertex& at) const {
   if (at.empty()) return false;
-  if (at.count_ >= 0) return at.count_ > kSampleAll;
-  return std::any_of(sets_.begin(), sets_.end(),
-                     [](const Set& set) { return set.size() > set.sample_all; });
+  return at.count_ >= 0 ? at.count_ > kSampleAll : chooses_in_volume();
 }
 
 float LightSampler::Set::expected_samples(const LitPoint& lit, const LightChances& chances,

@@ -112,6 +112,15 @@ class LightSampler {
   /// Calls f(LightPick) for each element to sample. Inputs:  u: uniform in [0,1).
   template <class F>
   void sample(const LitVertex& at, float u, F&& f) const;
+  /// The same for a point in a volume, from which the light may be sampled at another place along a
+  /// ray: each element has a chance. Links and lists of lights do not count.
+  template <class F>
+  void sample_in_volume(const Vec3& place, float u, F&& f) const;
+  /// Whether that uses its random number.
+  bool chooses_in_volume() const {
+    return std::any_of(sets_.begin(), sets_.end(),
+                       [](const Set& set) { return set.size() > set.sample_all; });
+  }
   /// Expected number of samples of an element; 0 = it does not light the vertex.
   float expected_samples(const LitVertex& at, int light) const;
   /// One sample of a picked element: irradiance and pdf are those of all its samples.
@@ -187,6 +196,9 @@ class LightSampler {
                                          const LitPoint& at, float time, Vec2 u) const;
   enum : std::size_t { kInfinite, kFinite, kPortals, kSets };
   static constexpr int kSampleAll = 4, kSampleAllPortals = 1;
+  /// Share of the choices in volumes that do not follow the light tree: a spot may miss the point
+  /// and light the ray beside it.
+  static constexpr float kEvenlyInVolume = 0.25f;
   /// Lights of which all are sampled if they are few, else one.
   struct Set {
     std::vector<int> lights;
@@ -196,6 +208,13 @@ class LightSampler {
     int size() const { return static_cast<int>(lights.size()); }
     template <class F>
     void sample(const LitPoint& lit, const LightChances& chances, float& u, F&& f) const;
+    /// One light evenly. Inputs:  u: uniform in [0,1); returns a new uniform number.
+    int pick_evenly(float& u) const {
+      const float scaled = u * static_cast<float>(size());
+      const int i = std::min(static_cast<int>(scaled), size() - 1);
+      u = std::min(scaled - static_cast<float>(i), 0x1.fffffep-1f);
+      return lights[static_cast<std::size_t>(i)];
+    }
     float expected_samples(const LitPoint& lit, const LightChances& chances, int light) const;
     /// Place of a light of the set in `lights`.
     std::size_t place_of(int light) const {
@@ -237,10 +256,7 @@ void LightSampler::Set::sample(const LitPoint& lit, const LightChances& chances,
       light = choice->light;
     if (light >= 0) f(light, expected_samples(lit, chances, light));
   } else if (tree.empty()) {
-    const float scaled = u * static_cast<float>(size());
-    const int i = std::min(static_cast<int>(scaled), size() - 1);
-    u = std::min(scaled - static_cast<float>(i), 0x1.fffffep-1f);
-    f(lights[static_cast<std::size_t>(i)], 1 / static_cast<float>(size()));
+    f(pick_evenly(u), 1 / static_cast<float>(size()));
   } else if (const auto choice = tree.choose(lit, u)) {
     f(choice->light, choice->probability);
   }
@@ -259,6 +275,29 @@ void LightSampler::sample(const LitVertex& at, float u, F&& f) const {
     pick(at.listed_light(i), 1 / static_cast<float>(at.count_));
   } else {
     for (int i = 0; i < at.count_; ++i) pick(at.listed_light(i), 1.0f);
+  }
+}
+
+template <class F>
+void LightSampler::sample_in_volume(const Vec3& place, float u, F&& f) const {
+  const LitPoint lit{place, Vec3(0)};
+  for (const Set& set : sets_) {
+    if (set.size() <= set.sample_all) {
+      for (const int light : set.lights) f(LightPick{light, 1});
+      continue;
+    }
+    const float evenly = set.tree.empty() ? 1 : kEvenlyInVolume;
+    int light = -1;
+    if (u < evenly) {
+      u = std::min(u / evenly, 0x1.fffffep-1f);
+      light = set.pick_evenly(u);
+    } else {
+      u = std::min((u - evenly) / (1 - evenly), 0x1.fffffep-1f);
+      if (const auto choice = set.tree.choose(lit, u)) light = choice->light;
+    }
+    if (light < 0) continue;
+    const float by_tree = evenly < 1 ? set.tree.probability(lit, light) : 0;
+    f(LightPick{light, lerp(by_tree, 1 / static_cast<float>(set.size()), evenly)});
   }
 }
 

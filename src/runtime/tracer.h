@@ -2,10 +2,12 @@
 // Rays and light samples for shaders that are not materials.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
 
+#include "base/assert.h"
 #include "runtime/material_outputs.h"
 #include "runtime/shader_node.h"
 #include "runtime/shading_point.h"
@@ -47,6 +49,25 @@ class Tracer {
   };
   /// One sample of a light at a point; empty if no light arrives.
   virtual std::optional<Arriving> light(int index, ShadingPoint& point) = 0;
+
+  /// Lights to sample at a point in a volume, each with its expected number of samples, at most 1:
+  /// all of a few, and some of many. Every light has a chance at every point.
+  struct PickedLights {
+    static constexpr int kMost = 12;
+    struct Light {
+      int index = 0;  ///< into World::lights
+      float expected_samples = 1;
+    };
+    std::array<Light, kMost> of;
+    int count = 0;
+    const Light* begin() const { return of.data(); }
+    const Light* end() const { return of.data() + count; }
+    void add(int index, float expected_samples) {
+      ORIEL_ASSERT(count < kMost);
+      of[static_cast<std::size_t>(count++)] = {index, expected_samples};
+    }
+  };
+  virtual PickedLights pick_lights(const Vec3& place) = 0;
 
   /// Two independent numbers in [0,1), stratified over the samples of a pixel.
   virtual Vec2 next() = 0;

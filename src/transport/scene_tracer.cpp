@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/scene_tracer.h"
 
+#include "lights/light_sampler.h"
+
 #include "lights/sample_light.h"
 #include "transport/path/path_for_shaders.h"
 #include "transport/path/resolve_outputs.h"
@@ -119,6 +121,15 @@ std::optional<Tracer::Arriving> SceneTracer::light(int index, ShadingPoint& poin
   const Rgb unshadowed = s->irradiance * kInvPi;
   return Arriving{unshadowed * open,   unshadowed,        s->wi,    s->distance, s->affects_diffuse,
                   s->affects_specular, s->force_specular, s->is_sun};
+}
+
+Tracer::PickedLights SceneTracer::pick_lights(const Vec3& place) {
+  const LightSampler& lights = *world_.light_sampler;
+  PickedLights picked;
+  lights.sample_in_volume(
+      place, lights.chooses_in_volume() ? next().x : 0,
+      [&](const LightPick& pick) { picked.add(pick.light, pick.expected_samples); });
+  return picked;
 }
 
 }  // namespace oriel

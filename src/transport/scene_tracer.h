@@ -25,6 +25,7 @@ class SceneTracer final : public Tracer {
   std::optional<Met> probe_from(const ShadingPoint& point, const Vec3& direction,
                                 float reach) override;
   std::optional<Arriving> light(int index, ShadingPoint& point) override;
+  PickedLights pick_lights(const Vec3& place) override;
   Vec2 next() override;
   Depth depth() const override;
   Seen trace(const ShadingPoint& from, const SubRay& ray) override;

@@ -22,6 +22,7 @@ class NumbersOnly final : public Tracer {
   Vec2 next() override { return sampler_.next_2d(); }
   std::optional<Met> probe(const Vec3&, const Vec3&, float) override { return {}; }
   std::optional<Met> probe_from(const ShadingPoint&, const Vec3&, float) override { return {}; }
+  PickedLights pick_lights(const Vec3&) override { return {}; }
   std::optional<Arriving> light(int, ShadingPoint&) override { return {}; }
   Depth depth() const override { return {}; }
   Seen trace(const ShadingPoint&, const SubRay&) override { return {}; }

@@ -73,6 +73,9 @@ constexpr auto kPhotonRows = [] {
   return rows;
 }();
 
+/// Of a longer list one light is asked, as at surfaces.
+constexpr int kListedLights = 4;
+
 float lobe(float cosine, float g) {
   /// Narrower lobes cannot be sampled reliably.
   constexpr float kMax = 0.99f;
@@ -191,6 +194,25 @@ class LightPlaces {
   bool by_angle_;
 };
 
+/// The lights that one sample of a stretch asks for: of many some, of which each light has a
+/// chance.
+Tracer::PickedLights lights_to_scatter(const PartiVolumeParams& p, const Vec3& place,
+                                       Tracer& tracer) {
+  if (p.lights.size == 0) return tracer.pick_lights(place);
+  Tracer::PickedLights picked;
+  const auto add = [&](int i, float expected_samples) {
+    if (const int index = p.lights.begin()[i].index; index >= 0)
+      picked.add(index, expected_samples);
+  };
+  const int count = static_cast<int>(p.lights.size);
+  if (count > kListedLights)
+    add(std::min(static_cast<int>(tracer.next().x * static_cast<float>(count)), count - 1),
+        1 / static_cast<float>(count));
+  else
+    for (int i = 0; i < count; ++i) add(i, 1);
+  return picked;
+}
+
 VolumeValue evaluate_medium(const Call& call) {
   const auto& p = call.as<PartiVolumeParams>();
   const ShadingPoint& eye = call.point;
@@ -219,16 +241,10 @@ VolumeValue evaluate_medium(const Call& call) {
   const bool dims = std::find(dimming.begin(), dimming.end(), call.node) == dimming.end();
   const LightPlaces places(eye, s, p.extinction, taken, t, u.y, choice.y < 0.5f);
   ShadingPoint point = eye;
-  const auto add = [&](int light) {
-    const auto place = places.of(eye.world->lights[static_cast<std::size_t>(light)]);
+  for (const Tracer::PickedLights::Light& light : lights_to_scatter(p, out.place, *eye.tracer)) {
+    const auto place = places.of(eye.world->lights[static_cast<std::size_t>(light.index)]);
     point.position = point_at(place.t);
-    out.added += scattered(p, light, dims, point) * place.weight;
-  };
-  if (p.lights.size > 0) {
-    for (const LightRef ref : p.lights)
-      if (ref.index >= 0) add(ref.index);
-  } else {
-    for (std::size_t i = 0; i < eye.world->lights.size(); ++i) add(static_cast<int>(i));
+    out.added += scattered(p, light.index, dims, point) * (place.weight / light.expected_samples);
   }
   out.added *= rgb(p.scatter) * taken;
   return out;

@@ -178,6 +178,51 @@ TEST(ScatteringMedium, LampsNearTheRayHaveLittleNoise) {
   }
 }
 
+/// Points and narrow spots along a ray down -z, from one to another, in fog.
+SceneText lamps_in_fog(int from, int to, bool listed) {
+  SceneText scene;
+  scene.material("black", "\"reflectivity\" 0, \"diffuse\" 0 0 0")
+      .square("black", Vec3(0, 0, -12), 50, Vec3(0, 0, 1));
+  std::string names;
+  for (int i = from; i < to; ++i) {
+    const float z = -.4f * static_cast<float>(i) - .8f,
+                height = .3f + .4f * static_cast<float>(i % 3);
+    // Spots light .5 of the ray at most.
+    scene.light(fmt::format("lamp{}", i),
+                i % 2 == 0
+                    ? fmt::format("\"physical_light\" ( \"color\" {0} {0} {0} ) origin 0 {1} {2}",
+                                  1 + i % 5, height, z)
+                    : fmt::format("\"physical_light\" ( \"color\" 30 30 30, \"cone\" .95 ) "
+                                  "origin 0 {} {} direction 0 -1 0 spread .95",
+                                  height / 2, z));
+    names += fmt::format("{}\"lamp{}_i\"", i > from ? ", " : "", i);
+  }
+  return scene.camera(fmt::format(
+      "focal 1 aperture 1 aspect 1 resolution 32 32 volume \"parti_volume\" ( \"extinction\" .1, "
+      "\"scatter\" 1 1 1, \"r\" .5, \"g1\" .4{} )",
+      listed ? fmt::format(", \"lights\" [ {} ]", names) : std::string()));
+}
+
+TEST(ScatteringMedium, SomeOfManyLampsBringTheLightOfAll) {
+  constexpr int kLamps = 24, kAllAsked = 4;
+  const auto measure = [](const SceneText& scene, int samples) {
+    return Probe(scene).direct_only().ray(Vec3(0), Vec3(0, 0, -1), samples);
+  };
+  Measured all;
+  for (int i = 0; i < kLamps; i += kAllAsked) {
+    const Measured some = measure(lamps_in_fog(i, i + kAllAsked, false), 1 << 17);
+    all.mean += some.mean;
+    all.error = Rgb(std::hypot(all.error.x, some.error.x));
+  }
+  for (const bool listed : {false, true}) {
+    const Measured chosen = measure(lamps_in_fog(0, kLamps, listed), 1 << 20);
+    const float error = std::hypot(chosen.error.x, all.error.x);
+    EXPECT_NEAR(chosen.mean.x, all.mean.x, 3.5f * error) << (listed ? "listed" : "all");
+    EXPECT_LT(error, .01f * all.mean.x) << "too noisy to show anything";
+    figure(listed ? "lamps of a list" : "lamps", all.mean.x, chosen.mean.x, error);
+  }
+}
+
 TEST(VolumeNodes, FogMayFadeLightRays) {
   const auto lit = [](const char* lightrays) {
     SceneText scene;
