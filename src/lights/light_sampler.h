@@ -112,8 +112,8 @@ class LightSampler {
   /// Calls f(LightPick) for each element to sample. Inputs:  u: uniform in [0,1).
   template <class F>
   void sample(const LitVertex& at, float u, F&& f) const;
-  /// The same for a point in a volume, from which the light may be sampled at another place along a
-  /// ray: each element has a chance. Links and lists of lights do not count.
+  /// The same at a point in a volume, without links and lists of lights. Each element has a chance,
+  /// since its light may then be sampled at another place along the ray.
   template <class F>
   void sample_in_volume(const Vec3& place, float u, F&& f) const;
   /// Whether that uses its random number.

@@ -50,13 +50,13 @@ class Tracer {
   /// One sample of a light at a point; empty if no light arrives.
   virtual std::optional<Arriving> light(int index, ShadingPoint& point) = 0;
 
-  /// Lights to sample at a point in a volume, each with its expected number of samples, at most 1:
-  /// all of a few, and some of many. Every light has a chance at every point.
+  /// Lights to sample at a point in a volume: all of a few, one of many. Every light has a chance
+  /// at every point.
   struct PickedLights {
     static constexpr int kMost = 12;
     struct Light {
-      int index = 0;  ///< into World::lights
-      float expected_samples = 1;
+      int index = 0;               ///< into World::lights
+      float expected_samples = 1;  ///< at most 1
     };
     std::array<Light, kMost> of;
     int count = 0;

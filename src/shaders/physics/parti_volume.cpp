@@ -194,8 +194,8 @@ class LightPlaces {
   bool by_angle_;
 };
 
-/// The lights that one sample of a stretch asks for: of many some, of which each light has a
-/// chance.
+/// The lights to sample at a place: all of a short list, one of a long one; without a list as the
+/// tracer picks them.
 Tracer::PickedLights lights_to_scatter(const PartiVolumeParams& p, const Vec3& place,
                                        Tracer& tracer) {
   if (p.lights.size == 0) return tracer.pick_lights(place);
