@@ -241,10 +241,10 @@ VolumeValue evaluate_medium(const Call& call) {
   const bool dims = std::find(dimming.begin(), dimming.end(), call.node) == dimming.end();
   const LightPlaces places(eye, s, p.extinction, taken, t, u.y, choice.y < 0.5f);
   ShadingPoint point = eye;
-  for (const Tracer::PickedLights::Light& light : lights_to_scatter(p, out.place, *eye.tracer)) {
-    const auto place = places.of(eye.world->lights[static_cast<std::size_t>(light.index)]);
+  for (const Tracer::PickedLights::Light& picked : lights_to_scatter(p, out.place, *eye.tracer)) {
+    const auto place = places.of(eye.world->lights[static_cast<std::size_t>(picked.index)]);
     point.position = point_at(place.t);
-    out.added += scattered(p, light.index, dims, point) * (place.weight / light.expected_samples);
+    out.added += scattered(p, picked.index, dims, point) * (place.weight / picked.expected_samples);
   }
   out.added *= rgb(p.scatter) * taken;
   return out;
