@@ -114,7 +114,7 @@ std::size_t LightSampler::set_of(const Light& light) {
 
 bool LightSampler::needs_random(const LitVertex& at) const {
   if (at.empty()) return false;
-  return at.count_ >= 0 ? at.count_ > kSampleAll : chooses_in_volume();
+  return at.count_ >= 0 ? at.count_ > kSampleAll : chooses();
 }
 
 float LightSampler::Set::expected_samples(const LitPoint& lit, const LightChances& chances,

@@ -112,12 +112,13 @@ class LightSampler {
   /// Calls f(LightPick) for each element to sample. Inputs:  u: uniform in [0,1).
   template <class F>
   void sample(const LitVertex& at, float u, F&& f) const;
-  /// The same at a point in a volume, without links and lists of lights. Each element has a chance,
-  /// since its light may then be sampled at another place along the ray.
+  /// The same at a point in a volume, without links and lists of lights. Each element has a
+  /// probability above 0 even if it does not light this point, since the caller may sample its
+  /// light at another point of the ray.
   template <class F>
   void sample_in_volume(const Vec3& place, float u, F&& f) const;
-  /// Whether that uses its random number.
-  bool chooses_in_volume() const {
+  /// Whether one light of some set is chosen at random, so that these use their random number.
+  bool chooses() const {
     return std::any_of(sets_.begin(), sets_.end(),
                        [](const Set& set) { return set.size() > set.sample_all; });
   }
@@ -196,8 +197,8 @@ class LightSampler {
                                          const LitPoint& at, float time, Vec2 u) const;
   enum : std::size_t { kInfinite, kFinite, kPortals, kSets };
   static constexpr int kSampleAll = 4, kSampleAllPortals = 1;
-  /// Share of the choices in volumes that do not follow the light tree: a spot may miss the point
-  /// and light the ray beside it.
+  /// Share of the choices in volumes that are uniform over the lights. The light tree never chooses
+  /// a spot that misses the point, which may light other points of the ray.
   static constexpr float kEvenlyInVolume = 0.25f;
   /// Lights of which all are sampled if they are few, else one.
   struct Set {

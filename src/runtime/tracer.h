@@ -50,8 +50,8 @@ class Tracer {
   /// One sample of a light at a point; empty if no light arrives.
   virtual std::optional<Arriving> light(int index, ShadingPoint& point) = 0;
 
-  /// Lights to sample at a point in a volume: all of a few, one of many. Every light has a chance
-  /// at every point.
+  /// Lights to sample at a point in a volume: all if they are few, else one at random. Every light
+  /// has a probability above 0 at every point.
   struct PickedLights {
     static constexpr int kMost = 12;
     struct Light {

@@ -2,7 +2,6 @@
 #include "transport/scene_tracer.h"
 
 #include "lights/light_sampler.h"
-
 #include "lights/sample_light.h"
 #include "transport/path/path_for_shaders.h"
 #include "transport/path/resolve_outputs.h"
@@ -126,9 +125,9 @@ std::optional<Tracer::Arriving> SceneTracer::light(int index, ShadingPoint& poin
 Tracer::PickedLights SceneTracer::pick_lights(const Vec3& place) {
   const LightSampler& lights = *world_.light_sampler;
   PickedLights picked;
-  lights.sample_in_volume(
-      place, lights.chooses_in_volume() ? next().x : 0,
-      [&](const LightPick& pick) { picked.add(pick.light, pick.expected_samples); });
+  lights.sample_in_volume(place, lights.chooses() ? next().x : 0, [&](const LightPick& pick) {
+    picked.add(pick.light, pick.expected_samples);
+  });
   return picked;
 }
 

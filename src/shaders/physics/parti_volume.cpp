@@ -73,7 +73,7 @@ constexpr auto kPhotonRows = [] {
   return rows;
 }();
 
-/// Of a longer list one light is asked, as at surfaces.
+/// Up to so many listed lights are all sampled; of a longer list, one at random, as at surfaces.
 constexpr int kListedLights = 4;
 
 float lobe(float cosine, float g) {

@@ -178,7 +178,7 @@ TEST(ScatteringMedium, LampsNearTheRayHaveLittleNoise) {
   }
 }
 
-/// Points and narrow spots along a ray down -z, from one to another, in fog.
+/// Point lamps and narrow spots beside the -z axis, in fog: those numbered from `from` to `to` - 1.
 SceneText lamps_in_fog(int from, int to, bool listed) {
   SceneText scene;
   scene.material("black", "\"reflectivity\" 0, \"diffuse\" 0 0 0")
@@ -187,7 +187,7 @@ SceneText lamps_in_fog(int from, int to, bool listed) {
   for (int i = from; i < to; ++i) {
     const float z = -.4f * static_cast<float>(i) - .8f,
                 height = .3f + .4f * static_cast<float>(i % 3);
-    // Spots light .5 of the ray at most.
+    // A spot lights at most .4 scene units of the axis.
     scene.light(fmt::format("lamp{}", i),
                 i % 2 == 0
                     ? fmt::format("\"physical_light\" ( \"color\" {0} {0} {0} ) origin 0 {1} {2}",
