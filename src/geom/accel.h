@@ -81,6 +81,7 @@ struct AccelMemory {
 class BlockTest {
  public:
   virtual ~BlockTest() = default;
+  /// Inputs:  hit: as Embree found it; Accel::refine() makes it exact.
   virtual bool blocks(const Hit& hit) = 0;
 };
 
@@ -148,6 +149,8 @@ class Accel {
   /// The same, but hits of instances whose mask has a bit of `asked` count only if the test returns
   /// true. It is called for hits in any order, and for no others after one that blocks.
   bool occluded(const Ray& ray, std::uint32_t asked, BlockTest& test) const;
+  /// Computes distance, place and normal of a hit that a BlockTest received, as intersect() does.
+  void refine(const Ray& ray, Hit& hit) const;
   void interpolate(const Hit& hit, SurfacePoint& point) const;
   /// Matrices of an instance at a given time.
   void placement_at(std::uint32_t instance, float time, Mat4& local_to_world,

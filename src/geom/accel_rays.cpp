@@ -75,7 +75,6 @@ struct Accel::AskingContext {
     Hit hit = context.impl.hit_of(*reinterpret_cast<const RTCHit*>(args->hit), context.ray);
     if ((context.impl.instances[hit.instance].mask & context.asked) == 0) return;
     hit.t = reinterpret_cast<const RTCRay*>(args->ray)->tfar;
-    context.impl.refine(context.ray, hit);
     if (!context.test.blocks(hit)) args->valid[0] = 0;
   }
 };
@@ -108,5 +107,7 @@ bool Accel::occluded(const Ray& ray, std::uint32_t asked, BlockTest& test) const
   context.embree.filter = AskingContext::ask;
   return impl_->occluded(context.embree, ray);
 }
+
+void Accel::refine(const Ray& ray, Hit& hit) const { impl_->refine(ray, hit); }
 
 }  // namespace oriel::geom

@@ -61,9 +61,10 @@ const Material& shade_hit(const World& world, const ShadingPoint& point, const g
   return material;
 }
 
-/// Shades the transparent blockers of a shadow ray where one traversal of the scene meets them,
-/// instead of one after the other. Light that passes several is the same in any order, unless
-/// shadow shaders filter it.
+/// The transparent blockers of a shadow ray, which one traversal of the scene meets, instead of one
+/// after the other. Light that passes several is the same in any order, unless shadow shaders
+/// filter it. Blockers of constant transmission are evaluated after the traversal, since light that
+/// an opaque surface blocks does not need them.
 class BlockersInAnyOrder final : public geom::BlockTest {
  public:
   BlockersInAnyOrder(const World& world, const ShadingPoint& point, const geom::Ray& ray, int light)
@@ -73,25 +74,17 @@ class BlockersInAnyOrder final : public geom::BlockTest {
     const Material& material = material_of(world_, hit);
     in_order_ |= material.filters_shadows();
     if (in_order_) return false;
-    const Blocker at =
-        material.straight_by_angle ? unshaded(*material.straight_by_angle, hit) : shaded(hit);
-    const Transmittance& here = at.here;
-    if (max_component(here.all) <= 0 || count_ == kMaxShadowBlockers) return true;
-    if (here.all == Rgb(1) && here.cut_outs == Rgb(1)) return false;
-    // A ray that leaves the surface starts at an offset.
-    passed_[static_cast<std::size_t>(count_++)] = {
-        hit.t,
-        hit.t + at.offset / std::max(std::abs(at.cosine), kMinCosine),
-        std::uint64_t{hit.instance} << 32 | hit.primitive,
-        here.all,
-        here.clear,
-        here.cut_outs};
+    if (!material.straight_by_angle) return !pass(hit);
+    if (waiting_count_ == kMaxShadowBlockers) return true;
+    waiting_[static_cast<std::size_t>(waiting_count_++)] = hit;
     return false;
   }
 
   /// Of all blockers; nothing if they have to be shaded in their order.
   std::optional<Transmittance> transmittance() {
     if (in_order_) return std::nullopt;
+    for (int i = 0; i < waiting_count_; ++i)
+      if (!pass(waiting_[static_cast<std::size_t>(i)])) return kClosed;
     // In one order, so that sums round alike.
     const auto end = passed_.begin() + count_;
     std::sort(passed_.begin(), end, [](const Passed& a, const Passed& b) {
@@ -119,6 +112,24 @@ class BlockersInAnyOrder final : public geom::BlockTest {
     Transmittance here;
     float offset, cosine;  ///< offset of rays that leave it; of the ray to the geometric normal
   };
+  /// Records a blocker. False: no light passes.
+  bool pass(geom::Hit hit) {
+    world_.accel->refine(ray_, hit);
+    const ShaderNode* by_angle = material_of(world_, hit).straight_by_angle;
+    const Blocker at = by_angle ? unshaded(*by_angle, hit) : shaded(hit);
+    const Transmittance& here = at.here;
+    if (max_component(here.all) <= 0 || count_ == kMaxShadowBlockers) return false;
+    if (here.all == Rgb(1) && here.cut_outs == Rgb(1)) return true;
+    // A ray that leaves the surface starts at an offset.
+    passed_[static_cast<std::size_t>(count_++)] = {
+        hit.t,
+        hit.t + at.offset / std::max(std::abs(at.cosine), kMinCosine),
+        std::uint64_t{hit.instance} << 32 | hit.primitive,
+        here.all,
+        here.clear,
+        here.cut_outs};
+    return true;
+  }
   Blocker shaded(const geom::Hit& hit) const {
     ShadingPoint at;
     Closure closure;
@@ -142,7 +153,11 @@ class BlockersInAnyOrder final : public geom::BlockTest {
   const geom::Ray& ray_;
   int light_;
   bool in_order_ = false;
-  int count_ = 0;
+  int waiting_count_ = 0, count_ = 0;
+  // Not initialised before they are needed.
+  union {
+    std::array<geom::Hit, kMaxShadowBlockers> waiting_;
+  };
   std::array<Passed, kMaxShadowBlockers> passed_;
 };
 
