@@ -21,23 +21,24 @@ constexpr float kLeastOpeningCosine = 0.1f;
 /// A rectangle seen from a point, as a density of directions.
 class SeenOpening {
  public:
-  SeenOpening(const OpeningRectangle& r, const Vec3& from) : r_(r), from_(from) {}
+  SeenOpening(const OpeningRectangle& r, const Vec3& from) : r_(r), from_(from) {
+    if (!by_table()) even_.emplace(from, r.corner, r.axes);
+  }
 
   Vec3 sample(Vec2 u) const {
-    if (!by_table()) return even().sample(u).wi;
+    if (even_) return even_->sample(u).wi;
     const Vec3 local = r_.table->sample(u, window()).local;
     return r_.table->x() * local.x + r_.table->y() * local.y + r_.table->z() * local.z;
   }
   /// Inputs:  wi: hits the rectangle at `distance`.
   float pdf(const Vec3& wi, float distance) const {
-    if (!by_table()) return even().pdf(wi, distance);
+    if (even_) return even_->pdf(wi, distance);
     return r_.table->pdf(
         Vec3(dot(wi, r_.table->x()), dot(wi, r_.table->y()), dot(wi, r_.table->z())), window());
   }
 
  private:
   bool by_table() const { return r_.table && r_.table->structured(); }
-  sampling::SphericalRectangle even() const { return {from_, r_.corner, r_.axes}; }
   sampling::Window window() const {
     const Vec3 to = r_.corner - from_;
     const float x = dot(to, r_.table->x()), y = dot(to, r_.table->y());
@@ -47,6 +48,7 @@ class SeenOpening {
 
   const OpeningRectangle& r_;
   const Vec3& from_;
+  std::optional<sampling::SphericalRectangle> even_;  ///< without a table
 };
 
 }  // namespace
@@ -105,18 +107,26 @@ std::optional<Openings::Sample> Openings::sample(const LitPoint& lit, Vec2 u) co
     left -= shares.of[i];
   }
   u.x = clamp(left / shares.of[chosen], 0.0f, 0x1.fffffep-1f);
-  const Vec3 wi = SeenOpening(rectangles_[chosen], lit.position).sample(u);
-  const float density = pdf(shares, lit, wi);
+  const SeenOpening seen(rectangles_[chosen], lit.position);
+  const Vec3 wi = seen.sample(u);
+  const float density = pdf(shares, lit, wi, [&](std::size_t i, float distance) {
+    return i == chosen ? seen.pdf(wi, distance)
+                       : SeenOpening(rectangles_[i], lit.position).pdf(wi, distance);
+  });
   if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
   return Sample{wi, density};
 }
 
 float Openings::pdf(const LitPoint& lit, const Vec3& wi) const {
   const Shares shares = shares_at(lit);
-  return shares.total > 0 ? pdf(shares, lit, wi) : 0;
+  if (!(shares.total > 0)) return 0;
+  return pdf(shares, lit, wi, [&](std::size_t i, float distance) {
+    return SeenOpening(rectangles_[i], lit.position).pdf(wi, distance);
+  });
 }
 
-float Openings::pdf(const Shares& shares, const LitPoint& lit, const Vec3& wi) const {
+template <class F>
+float Openings::pdf(const Shares& shares, const LitPoint& lit, const Vec3& wi, F&& through) const {
   float sum = 0;
   for (std::size_t i = 0; i < rectangles_.size(); ++i) {
     if (shares.of[i] <= 0) continue;
@@ -125,7 +135,7 @@ float Openings::pdf(const Shares& shares, const LitPoint& lit, const Vec3& wi) c
     const auto hit =
         geom::intersect(geom::Rectangle{r.corner + half_u + half_v, half_u, half_v}, lit.position,
                         wi, 0.0f, std::numeric_limits<float>::infinity());
-    if (hit) sum += shares.of[i] * SeenOpening(r, lit.position).pdf(wi, hit->t);
+    if (hit) sum += shares.of[i] * through(i, hit->t);
   }
   return sum / shares.total;
 }

@@ -63,7 +63,9 @@ class Openings {
   struct Shares;
   Shares shares_at(const LitPoint& lit) const;
   float share(const OpeningRectangle& rectangle, const LitPoint& lit) const;
-  float pdf(const Shares& shares, const LitPoint& lit, const Vec3& wi) const;
+  /// Inputs:  through(i, distance): density of wi through rectangle i, which it hits.
+  template <class F>
+  float pdf(const Shares& shares, const LitPoint& lit, const Vec3& wi, F&& through) const;
 
   std::vector<OpeningRectangle> rectangles_;
   OpeningSearch found_;
