@@ -224,8 +224,9 @@ class LightSampler {
     }
   };
   /// The learned probabilities that a vertex has for a set.
-  static LightChances chances_of(const LitVertex& at, std::size_t set) {
-    return set == kFinite ? at.chances : LightChances();
+  static const LightChances& chances_of(const LitVertex& at, std::size_t set) {
+    static constexpr LightChances kUnknown;
+    return set == kFinite ? at.chances : kUnknown;
   }
   static std::size_t set_of(const Light& light);
   /// Share of the samples of the environment that ignore openings.
@@ -270,7 +271,8 @@ void LightSampler::sample(const LitVertex& at, float u, F&& f) const {
     if (is_lit_by(at, light)) f(LightPick{light, expected_samples});
   };
   if (at.count_ < 0) {
-    for (std::size_t k = 0; k < kSets; ++k) sets_[k].sample(at.lit_, chances_of(at, k), u, pick);
+    for (std::size_t k = 0; k < kSets; ++k)
+      if (sets_[k].size() > 0) sets_[k].sample(at.lit_, chances_of(at, k), u, pick);
   } else if (at.count_ > kSampleAll) {
     const int i = std::min(static_cast<int>(u * static_cast<float>(at.count_)), at.count_ - 1);
     pick(at.listed_light(i), 1 / static_cast<float>(at.count_));

@@ -51,6 +51,8 @@ class ShaderNode {
   bool connected(std::size_t offset) const;
   /// The shader connected to the parameter at `offset`; null if it is constant.
   const ShaderNode* source(std::size_t offset) const;
+  /// Whether source() is not null for some parameter.
+  bool has_connections() const { return !connections_.empty() || !deferred_.empty(); }
   /// The material connected to the parameter at `offset`; null if there is none.
   const ShaderNode* material_input(std::size_t offset) const;
   const std::vector<MaterialInput>& material_inputs() const { return material_inputs_; }

@@ -77,8 +77,9 @@ Normals bumped_normals(const Call& call, bool extended) {
   const MiaMaterialParams& p = call.as<MiaMaterialParams>();
   const ShadingPoint& point = call.point;
   Normals n{point.normal, point.normal, point.normal};
+  const bool connected = call.node && call.node->has_connections();
   const auto is_still = [&](std::size_t offset, const Vec3& v) {
-    return v == Vec3(0) && !(call.node && call.node->source(offset));
+    return v == Vec3(0) && !(connected && call.node->source(offset));
   };
   if (extended && p.bump_mode != 0 &&
       is_still(offsetof(MiaMaterialParams, overall_bump), p.overall_bump) &&

@@ -265,7 +265,11 @@ bool Path::shade_hit(const geom::Hit& hit, ShadingPoint& point) {
 }
 
 void Path::walk() {
-  ShadingPoint points[2];  // of this surface, and of the vertex that the ray left
+  // Of this surface, and of the vertex that the ray left; constructed where a surface is hit.
+  union Place {
+    Place() {}
+    ShadingPoint point;
+  } places[2];
   for (; depth_.vertex < kMaxVertices; ++depth_.vertex) {
     sampler_.set_dimension(kDrawsPerVertex * static_cast<std::uint32_t>(depth_.vertex + 1));
     geom::Hit hit;
@@ -287,7 +291,7 @@ void Path::walk() {
         meet_environment();
       return;
     }
-    ShadingPoint& point = points[from_.point == &points[0] ? 1 : 0];
+    ShadingPoint& point = places[from_.point == &places[0].point ? 1 : 0].point;
     std::construct_at(&point);
     if (!shade_hit(hit, point)) return;
   }

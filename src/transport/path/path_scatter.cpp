@@ -410,7 +410,7 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
   occlude(closure, point);
   const bool mapped = reads_maps();
   // The diffuse lobe and emulated reflections share one look-up.
-  looked_up_ = {};
+  looked_up_.valid = false;
   looked_up_.directional = mapped && closure.any([](const Lobe& lobe) {
     return lobe.controls.emulated && lobe.controls.highlights_only;
   });
