@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors, matrices and colours of Imath with Oriel's names.
+// Vectors and colours; matrices of Imath.
 #pragma once
 
-#include <ImathColor.h>
 #include <ImathMatrix.h>
 #include <ImathVec.h>
 
@@ -14,14 +13,155 @@ namespace oriel {
 //   Row vectors multiply from the left, p' = p * M; the translation is the last row. This is the
 //   convention of Imath and mental ray.
 //   World space is right-handed. Lengths are scene units. Angles are radians.
-using Vec2 = Imath::V2f;
-using Vec3 = Imath::V3f;
+//   Vectors and colours are Oriel's own and convert from and to those of Imath. Unlike these they
+//   are trivially copyable: functions pass them in registers, and structures that contain them are
+//   copied as a whole.
 using Mat4 = Imath::M44f;
 
+struct Vec2 {
+  float x, y;
+
+  Vec2() = default;  // not initialised
+  constexpr explicit Vec2(float a) : x(a), y(a) {}
+  constexpr Vec2(float x_, float y_) : x(x_), y(y_) {}
+  constexpr Vec2(const Imath::V2f& v) : x(v.x), y(v.y) {}
+  constexpr operator Imath::V2f() const { return Imath::V2f(x, y); }
+
+  float& operator[](int i) { return (&x)[i]; }
+  const float& operator[](int i) const { return (&x)[i]; }
+
+  constexpr bool operator==(const Vec2&) const = default;
+
+  constexpr Vec2 operator-() const { return Vec2(-x, -y); }
+  constexpr Vec2 operator+(const Vec2& v) const { return Vec2(x + v.x, y + v.y); }
+  constexpr Vec2 operator-(const Vec2& v) const { return Vec2(x - v.x, y - v.y); }
+  constexpr Vec2 operator*(const Vec2& v) const { return Vec2(x * v.x, y * v.y); }
+  constexpr Vec2 operator/(const Vec2& v) const { return Vec2(x / v.x, y / v.y); }
+  constexpr Vec2 operator*(float a) const { return Vec2(x * a, y * a); }
+  constexpr Vec2 operator/(float a) const { return Vec2(x / a, y / a); }
+  constexpr Vec2& operator+=(const Vec2& v) { return *this = *this + v; }
+  constexpr Vec2& operator-=(const Vec2& v) { return *this = *this - v; }
+  constexpr Vec2& operator*=(float a) { return *this = *this * a; }
+  friend constexpr Vec2 operator*(float a, const Vec2& v) { return v * a; }
+
+  constexpr float dot(const Vec2& v) const { return x * v.x + y * v.y; }
+  constexpr float length2() const { return dot(*this); }
+  float length() const { return Imath::V2f(*this).length(); }
+};
+
+struct Vec3 {
+  float x, y, z;
+
+  Vec3() = default;  // not initialised
+  constexpr explicit Vec3(float a) : x(a), y(a), z(a) {}
+  constexpr Vec3(float x_, float y_, float z_) : x(x_), y(y_), z(z_) {}
+  template <class S>
+  constexpr Vec3(const Imath::Vec3<S>& v)
+      : x(static_cast<float>(v.x)), y(static_cast<float>(v.y)), z(static_cast<float>(v.z)) {}
+  constexpr operator Imath::V3f() const { return Imath::V3f(x, y, z); }
+  template <class S>
+  constexpr explicit operator Imath::Vec3<S>() const {
+    return Imath::Vec3<S>(x, y, z);
+  }
+
+  float& operator[](int i) { return (&x)[i]; }
+  const float& operator[](int i) const { return (&x)[i]; }
+  float* getValue() { return &x; }
+  const float* getValue() const { return &x; }
+
+  constexpr bool operator==(const Vec3&) const = default;
+
+  constexpr Vec3 operator-() const { return Vec3(-x, -y, -z); }
+  constexpr Vec3 operator+(const Vec3& v) const { return Vec3(x + v.x, y + v.y, z + v.z); }
+  constexpr Vec3 operator-(const Vec3& v) const { return Vec3(x - v.x, y - v.y, z - v.z); }
+  constexpr Vec3 operator*(const Vec3& v) const { return Vec3(x * v.x, y * v.y, z * v.z); }
+  constexpr Vec3 operator/(const Vec3& v) const { return Vec3(x / v.x, y / v.y, z / v.z); }
+  constexpr Vec3 operator*(float a) const { return Vec3(x * a, y * a, z * a); }
+  constexpr Vec3 operator/(float a) const { return Vec3(x / a, y / a, z / a); }
+  constexpr Vec3& operator+=(const Vec3& v) { return *this = *this + v; }
+  constexpr Vec3& operator-=(const Vec3& v) { return *this = *this - v; }
+  constexpr Vec3& operator*=(const Vec3& v) { return *this = *this * v; }
+  constexpr Vec3& operator*=(float a) { return *this = *this * a; }
+  constexpr Vec3& operator/=(float a) { return *this = *this / a; }
+  friend constexpr Vec3 operator*(float a, const Vec3& v) { return v * a; }
+
+  constexpr float dot(const Vec3& v) const { return x * v.x + y * v.y + z * v.z; }
+  constexpr Vec3 cross(const Vec3& v) const {
+    return Vec3(y * v.z - z * v.y, z * v.x - x * v.z, x * v.y - y * v.x);
+  }
+  constexpr float length2() const { return dot(*this); }
+  float length() const { return Imath::V3f(*this).length(); }
+  /// Unit vector; a null vector is returned unchanged.
+  Vec3 normalized() const { return Imath::V3f(*this).normalized(); }
+  Vec3& normalize() { return *this = normalized(); }
+  bool equalWithAbsError(const Vec3& v, float e) const {
+    return Imath::V3f(*this).equalWithAbsError(v, e);
+  }
+};
+
 /// Linear colour. Components may exceed 1 and are not clamped.
-using Rgb = Imath::C3f;
+struct Rgb : Vec3 {
+  Rgb() = default;  // not initialised
+  constexpr explicit Rgb(float a) : Vec3(a) {}
+  constexpr Rgb(float r, float g, float b) : Vec3(r, g, b) {}
+  constexpr Rgb(const Vec3& v) : Vec3(v) {}
+  template <class S>
+  constexpr Rgb(const Imath::Vec3<S>& v) : Vec3(v) {}
+
+  constexpr Rgb operator-() const { return Rgb(-x, -y, -z); }
+  constexpr Rgb operator+(const Rgb& v) const { return Rgb(x + v.x, y + v.y, z + v.z); }
+  constexpr Rgb operator-(const Rgb& v) const { return Rgb(x - v.x, y - v.y, z - v.z); }
+  constexpr Rgb operator*(const Rgb& v) const { return Rgb(x * v.x, y * v.y, z * v.z); }
+  constexpr Rgb operator/(const Rgb& v) const { return Rgb(x / v.x, y / v.y, z / v.z); }
+  constexpr Rgb operator*(float a) const { return Rgb(x * a, y * a, z * a); }
+  constexpr Rgb operator/(float a) const { return Rgb(x / a, y / a, z / a); }
+  constexpr Rgb& operator+=(const Rgb& v) { return *this = *this + v; }
+  constexpr Rgb& operator-=(const Rgb& v) { return *this = *this - v; }
+  constexpr Rgb& operator*=(const Rgb& v) { return *this = *this * v; }
+  constexpr Rgb& operator*=(float a) { return *this = *this * a; }
+  constexpr Rgb& operator/=(const Rgb& v) { return *this = *this / v; }
+  constexpr Rgb& operator/=(float a) { return *this = *this / a; }
+  friend constexpr Rgb operator*(float a, const Rgb& v) { return v * a; }
+};
+
 /// Linear colour with alpha; alpha is opacity (coverage), colours are premultiplied.
-using Rgba = Imath::C4f;
+struct Rgba {
+  float r, g, b, a;
+
+  Rgba() = default;  // not initialised
+  constexpr explicit Rgba(float v) : r(v), g(v), b(v), a(v) {}
+  constexpr Rgba(float r_, float g_, float b_, float a_) : r(r_), g(g_), b(b_), a(a_) {}
+
+  float& operator[](int i) { return (&r)[i]; }
+  const float& operator[](int i) const { return (&r)[i]; }
+
+  constexpr bool operator==(const Rgba&) const = default;
+
+  constexpr Rgba operator-() const { return Rgba(-r, -g, -b, -a); }
+  constexpr Rgba operator+(const Rgba& c) const { return Rgba(r + c.r, g + c.g, b + c.b, a + c.a); }
+  constexpr Rgba operator-(const Rgba& c) const { return Rgba(r - c.r, g - c.g, b - c.b, a - c.a); }
+  constexpr Rgba operator*(const Rgba& c) const { return Rgba(r * c.r, g * c.g, b * c.b, a * c.a); }
+  constexpr Rgba operator/(const Rgba& c) const { return Rgba(r / c.r, g / c.g, b / c.b, a / c.a); }
+  constexpr Rgba operator*(float f) const { return Rgba(r * f, g * f, b * f, a * f); }
+  constexpr Rgba operator/(float f) const { return Rgba(r / f, g / f, b / f, a / f); }
+  constexpr Rgba& operator+=(const Rgba& c) { return *this = *this + c; }
+  constexpr Rgba& operator-=(const Rgba& c) { return *this = *this - c; }
+  constexpr Rgba& operator*=(const Rgba& c) { return *this = *this * c; }
+  constexpr Rgba& operator*=(float f) { return *this = *this * f; }
+  constexpr Rgba& operator/=(const Rgba& c) { return *this = *this / c; }
+  constexpr Rgba& operator/=(float f) { return *this = *this / f; }
+  friend constexpr Rgba operator*(float f, const Rgba& c) { return c * f; }
+};
+
+// Text of vectors, for messages of tests.
+template <class Stream>
+Stream& operator<<(Stream& out, const Vec3& v) {
+  out << '(' << v.x << ' ' << v.y << ' ' << v.z << ')';
+  return out;
+}
+
+/// Point times matrix with perspective division.
+inline Vec3 operator*(const Vec3& v, const Mat4& m) { return Imath::V3f(v) * m; }
 
 inline constexpr float kPi = 3.14159265358979323846f;
 inline constexpr float kInvPi = 0.31830988618379067154f;

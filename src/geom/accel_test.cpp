@@ -78,11 +78,11 @@ class Random {
   // Rotation, anisotropic scale up to `stretch`, translation up to `far`.
   Mat4 placement(float stretch, float far, bool mirrored = false) {
     Mat4 first, scale, second, move;
-    first.setEulerAngles(Vec3(in(0, 6), in(0, 6), in(0, 6)));
-    second.setEulerAngles(Vec3(in(0, 6), in(0, 6), in(0, 6)));
+    first.setEulerAngles(Imath::V3f(in(0, 6), in(0, 6), in(0, 6)));
+    second.setEulerAngles(Imath::V3f(in(0, 6), in(0, 6), in(0, 6)));
     const auto factor = [&] { return std::pow(stretch, in(-1, 1)); };
-    scale.setScale(Vec3(factor(), factor(), mirrored ? -factor() : factor()));
-    move.setTranslation(direction() * (far * unit()));
+    scale.setScale(Imath::V3f(factor(), factor(), mirrored ? -factor() : factor()));
+    move.setTranslation(Imath::V3f(direction() * (far * unit())));
     return first * scale * second * move;
   }
 
@@ -128,7 +128,7 @@ TEST(AccelTest, HitsOfTransformedTrianglesMatchTheirClosedForm) {
     const MeshId mesh = accel.add_mesh(unit_triangle());
     const std::uint32_t index = accel.add_instance(instance_of(mesh, place, 77));
     Mat4 away;
-    away.setTranslation(Vec3(0, 0, 1e6f));
+    away.setTranslation(Imath::V3f(0, 0, 1e6f));
     if (instanced) accel.add_instance(instance_of(mesh, away));
     accel.commit();
     EXPECT_EQ(accel.is_baked(mesh), !instanced);
@@ -172,7 +172,7 @@ TEST(AccelTest, InstancedAndBakedMeshesGiveEqualHits) {
     baked.add_instance(instance_of(baked.add_mesh(ball(12)), place));
     const MeshId mesh = instanced.add_mesh(ball(12));
     Mat4 away;
-    away.setTranslation(Vec3(1e5f, 0, 0));
+    away.setTranslation(Imath::V3f(1e5f, 0, 0));
     instanced.add_instance(instance_of(mesh, place));
     instanced.add_instance(instance_of(mesh, away));
     baked.commit();
@@ -208,7 +208,7 @@ TEST(AccelTest, MasksApplyPerRayType) {
     Accel accel;
     const MeshId mesh = accel.add_mesh(unit_triangle());
     Mat4 away;
-    away.setTranslation(Vec3(1e5f, 0, 0));
+    away.setTranslation(Imath::V3f(1e5f, 0, 0));
     const std::uint32_t index =
         accel.add_instance(instance_of(mesh, Mat4(), 0, RayMask::Camera | RayMask::Shadow));
     if (instanced) accel.add_instance(instance_of(mesh, away));
@@ -233,13 +233,13 @@ TEST(AccelTest, MovedInstancesAreHitAtTheirNewPosition) {
     Accel accel;
     const MeshId mesh = accel.add_mesh(unit_triangle());
     Mat4 away, mirror;
-    away.setTranslation(Vec3(1e5f, 0, 0));
+    away.setTranslation(Imath::V3f(1e5f, 0, 0));
     const std::uint32_t index = accel.add_instance(instance_of(mesh, away));
     if (instanced) accel.add_instance(instance_of(mesh, away));
     accel.commit();
     const Ray ray{Vec3(-0.2f, 0.2f, 1), 0, Vec3(0, 0, -1)};
     EXPECT_FALSE(accel.occluded(ray));
-    mirror.setScale(Vec3(-1, 1, 1));
+    mirror.setScale(Imath::V3f(-1, 1, 1));
     EXPECT_TRUE(accel.set_transform(index, mirror, mirror));
     accel.commit();
     Hit hit;
@@ -253,8 +253,8 @@ TEST(AccelTest, ASecondInstanceAfterTheFirstCommitLeavesTheFirstInPlace) {
   Accel accel;
   const MeshId mesh = accel.add_mesh(unit_triangle());
   Mat4 mirrored, moved;
-  mirrored.setScale(Vec3(-2, 1, 1));
-  moved.setTranslation(Vec3(10, 0, 0));
+  mirrored.setScale(Imath::V3f(-2, 1, 1));
+  moved.setTranslation(Imath::V3f(10, 0, 0));
   accel.add_instance(instance_of(mesh, mirrored, 1));
   accel.commit();
   EXPECT_TRUE(accel.is_baked(mesh));

@@ -187,7 +187,7 @@ TEST(Hair, MotionVectorsMoveHair) {
       (of_hair ? hair.per_hair : hair.per_vertex) = {{Kind::Motion, 2}};
       Accel accel;
       Mat4 path_end;
-      path_end.setTranslation(Vec3(0, 0, 1));
+      path_end.setTranslation(Imath::V3f(0, 0, 1));
       accel.add_instance({.mesh = accel.add_mesh(moving({hair})), .path = {Mat4(), path_end}});
       accel.commit();
       SurfacePoint point;

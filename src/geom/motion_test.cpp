@@ -25,7 +25,7 @@ std::vector<Vec3> all(const Vec3& v) { return std::vector<Vec3>(4, v); }
 
 Mat4 moved(float x, float y, float z) {
   Mat4 m;
-  m.setTranslation(Vec3(x, y, z));
+  m.setTranslation(Imath::V3f(x, y, z));
   return m;
 }
 
@@ -107,7 +107,7 @@ TEST(Motion, SpeedIsTheDisplacementBetweenTwoTimes) {
   Mesh mesh = square({{{1, 0, 0}, {2, 1, 0}, {0, 0, 3}, {0, 1, 1}}});
   add_keys(mesh, 0, 1);
   Mat4 turned;
-  turned.setAxisAngle(Vec3(1, 2, 3), .7f);
+  turned.setAxisAngle(Imath::V3f(1, 2, 3), .7f);
   accel.add_instance(
       instance_of(accel.add_mesh(std::move(mesh)), {Mat4(), turned * moved(3, 1, 2)}));
   accel.commit();
@@ -158,7 +158,7 @@ TEST(Motion, RaysDoNotHitTheirMovingOriginSurface) {
         std::vector<Mat4> path;
         for (int k = 0; moves && k < 3; ++k) {
           Mat4 m;
-          m.setAxisAngle(direction(), in(0, 3));
+          m.setAxisAngle(Imath::V3f(direction()), in(0, 3));
           path.push_back(m * moved(in(-far, far), in(-far, far), in(-far, far)));
         }
         accel.add_instance(instance_of(accel.add_mesh(std::move(mesh)), path));

@@ -112,7 +112,7 @@ Polygon spiral(int count, double turns) {
 
 Polygon moved_into_space(Polygon polygon, float offset) {
   Imath::M44f m;
-  m.setEulerAngles(Vec3(0.7f, -1.1f, 2.3f));
+  m.setEulerAngles(Imath::V3f(0.7f, -1.1f, 2.3f));
   for (Vec3& p : polygon.corners) p = transform_point(p, m) + Vec3(offset);
   return polygon;
 }

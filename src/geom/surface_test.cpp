@@ -84,7 +84,7 @@ TEST(Surface, TinyTrianglesStillHaveANormal) {
 TEST(Surface, MirroringAMeshKeepsItsFront) {
   Mesh mesh = triangle(Vec3(0, 0, 1), Vec3(0, 0, 1), Vec3(0, 0, 1));
   Mat4 mirror;
-  mirror.setScale(Vec3(-1, 1, 1));
+  mirror.setScale(Imath::V3f(-1, 1, 1));
   transform_mesh(mesh, mirror, mirror);
   EXPECT_EQ(mesh.triangles[0], (Triangle{0, 2, 1}));
   EXPECT_EQ(at(mesh, 0.3f, 0.3f).ng, Vec3(0, 0, 1));

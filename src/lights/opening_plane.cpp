@@ -66,7 +66,7 @@ std::vector<RoomPlane> room_planes(const std::vector<RoomRay>& rays, const geom:
                    [](const RoomPlane& a, const RoomPlane& b) { return a.hits > b.hits; });
   found.resize(std::min(found.size(), kPlanesTried));
   for (int axis = 0; axis < 3; ++axis)
-    for (const Vec3& corner : {box.min, box.max}) {
+    for (const Vec3 corner : {Vec3(box.min), Vec3(box.max)}) {
       Vec3 normal(0);
       normal[axis] = 1;
       found.push_back({normal, corner[axis], 0});

@@ -36,7 +36,7 @@ struct Placed {
     camera.width = 100;
   }
   void put(std::size_t leaf, float distance) {
-    leaves[leaf].local_to_world.setTranslation(Vec3(0, 0, -distance));
+    leaves[leaf].local_to_world.setTranslation(Imath::V3f(0, 0, -distance));
   }
 };
 

@@ -229,7 +229,7 @@ Rgba ShaderNode::color(ShadingPoint& point) const {
   // The main result of a struct is its first member.
   const ParamType type =
       spec_->result == ParamType::Struct ? spec_->results[0].type : spec_->result;
-  Rgba c;
+  Rgba c(0);
   convert_value(type, result, ParamType::Color, &c);
   return c;
 }

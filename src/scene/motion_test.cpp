@@ -9,13 +9,13 @@ namespace motion_test {
 
 Mat4 moved(float x, float y, float z) {
   Mat4 m;
-  m.setTranslation(Vec3(x, y, z));
+  m.setTranslation(Imath::V3f(x, y, z));
   return m;
 }
 
 Mat4 turned(float degrees) {
   Mat4 m;
-  m.setAxisAngle(Vec3(0, 0, 1), degrees * kPi / 180);
+  m.setAxisAngle(Imath::V3f(0, 0, 1), degrees * kPi / 180);
   return m;
 }
 
@@ -94,9 +94,9 @@ TEST(MotionPath, NestedInstancesMoveSeparately) {
 
 TEST(MotionPath, StretchAndRotationInterpolateSeparately) {
   Mat4 wide;
-  wide.setScale(Vec3(2, 4, 1));
+  wide.setScale(Imath::V3f(2, 4, 1));
   Mat4 wider;
-  wider.setScale(Vec3(4, 4, 1));
+  wider.setScale(Imath::V3f(4, 4, 1));
   const Instance i = instance(wide, wider * turned(60));
   const auto path = motion_path(leaf({&i}), shutter(0, 1, 2));
   // Halfway: three wide, between two and four, rotated by half the angle.

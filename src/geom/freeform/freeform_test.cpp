@@ -223,7 +223,7 @@ TEST(FreeForm, LengthsInPixelsFallWithDistance) {
     a.view = true;
     model.approximate(a);
     model.context.view.pixels_per_unit = 300;
-    model.context.view.object_to_camera.setTranslation(Vec3(0, 0, -away));
+    model.context.view.object_to_camera.setTranslation(Imath::V3f(0, 0, -away));
     const Mesh mesh = model.mesh();
     EXPECT_LT(mesh.triangles.size(), before);
     before = mesh.triangles.size();

@@ -235,10 +235,10 @@ class MeshMaker {
       if (name == "POSITION") {
         to = from * skin[v];
       } else if (name == "NORMAL") {
-        skin[v].inverse().transposed().multDirMatrix(from, to);
+        to = transform_normal(from, skin[v].inverse());
         to.normalize();
       } else {
-        skin[v].multDirMatrix(from, to);
+        to = transform_vector(from, skin[v]);
         to.normalize();
       }
       for (int k = 0; k < 3; ++k) at[k] = to[k];

@@ -48,7 +48,7 @@ bool agrees_with_samples(const World& world, const Light& light) {
   point.world = &world;
   point.position = has_extent(light.shape) || light.has_direction
                        ? light.position + light.direction * (length(box.size()) / 10)
-                       : box.center();
+                       : Vec3(box.center());
   point.normal = point.geometric_normal = -light.direction;
   const auto sample = sample_light(light, point, Vec2(0.5f));
   return sample && sample->shadow && sample->shadow_factor == 0 && sample->affects_specular == 1 &&
@@ -78,7 +78,7 @@ bool look_at(const World& world, std::uint32_t instance, std::uint32_t primitive
   int k = 0;
   for (const std::uint32_t vertex : {triangle.a, triangle.b, triangle.c}) {
     corners[k] = mesh.positions[vertex];
-    if (!world.accel->is_baked(desc.mesh)) to_world.multVecMatrix(corners[k], corners[k]);
+    if (!world.accel->is_baked(desc.mesh)) corners[k] = transform_point(corners[k], to_world);
     ++k;
   }
   const Vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);

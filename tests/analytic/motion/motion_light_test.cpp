@@ -24,8 +24,8 @@ std::string text_of(const Mat4& to_world) {
 /// A turn, and then a shift.
 Mat4 turn(const Vec3& axis, float degrees, const Vec3& by) {
   Mat4 m, shift;
-  m.setAxisAngle(normalize(axis), degrees * kPi / 180);
-  shift.setTranslation(by);
+  m.setAxisAngle(Imath::V3f(normalize(axis)), degrees * kPi / 180);
+  shift.setTranslation(Imath::V3f(by));
   return m * shift;
 }
 
@@ -70,7 +70,7 @@ TEST(MovingLights, MatchTheMeanFormFactorInEachEstimator) {
     return M_PI * form_factor(x - half_x, x + half_x, y - half_y, y + half_y);
   };
   Mat4 wider;
-  wider.setScale(Vec3(2.5f, 1.5f, 1));
+  wider.setScale(Imath::V3f(2.5f, 1.5f, 1));
   const struct {
     const char* name;
     Mat4 end;
@@ -158,7 +158,7 @@ TEST(MovingLights, EmissiveMeshesMatchTheMeanFormFactor) {
 /// Motions of portals: translation, rotation and deformation.
 std::vector<Mat4> portal_ways() {
   Mat4 wider;
-  wider.setScale(Vec3(1, 1.5f, .7f));
+  wider.setScale(Imath::V3f(1, 1.5f, .7f));
   return {turn(kUp, 0, Vec3(.3f, .8f, -.4f)), turn(Vec3(0, 1, 3), 35, Vec3(-.2f, .3f, .1f)), wider};
 }
 

@@ -152,8 +152,8 @@ TEST(MovingPhotons, OfASunThatTurnsStillCoverTheScene) {
       .square("white", Vec3(1, 0, 1), 1, Vec3(-1, 0, 0));
   // Rotated about a distant axis at the origin of its instance.
   Mat4 from, to;
-  from.setTranslation(Vec3(100, -50, 20));
-  to.setAxisAngle(Vec3(0, 1, 0), -1.0f);
+  from.setTranslation(Imath::V3f(100, -50, 20));
+  to.setAxisAngle(Imath::V3f(0, 1, 0), -1.0f);
   std::string flags;
   for (const Mat4& m : {from.inverse(), (to * from).inverse()}) {
     flags += flags.empty() ? " transform" : " motion transform";
