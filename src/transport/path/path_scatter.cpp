@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <type_traits>
 
 #include "base/math.h"
 #include "bsdf/ggx.h"
@@ -460,6 +461,7 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
     const auto rays = static_cast<std::uint32_t>(choice.rays[i]);
     std::optional<Rgb> looked_up;  // shared by all rays that hit nothing
     for (std::uint32_t j = 0; j < rays; ++j) {
+      static_assert(std::is_trivially_copyable_v<Path>, "one copy, not one for each member");
       Path branch = *this;
       branch.sampler_ = sampler_.split(j, rays, static_cast<std::uint32_t>(i));
       if (!branch.continue_path(closure, choice, material, point, i, branch.sampler_.next_1d()))
