@@ -15,7 +15,7 @@ namespace oriel {
 //   World space is right-handed. Lengths are scene units. Angles are radians.
 //   Vectors and colours are Oriel's own and convert from and to those of Imath. Unlike these they
 //   are trivially copyable: functions pass them in registers, and structures that contain them are
-//   copied as a whole.
+//   copied as a whole. Their members have the names of those of Imath.
 using Mat4 = Imath::M44f;
 
 struct Vec2 {
@@ -66,8 +66,8 @@ struct Vec3 {
 
   float& operator[](int i) { return (&x)[i]; }
   const float& operator[](int i) const { return (&x)[i]; }
-  float* getValue() { return &x; }
-  const float* getValue() const { return &x; }
+  float* getValue() { return &x; }              // NOLINT(readability-identifier-naming)
+  const float* getValue() const { return &x; }  // NOLINT(readability-identifier-naming)
 
   constexpr bool operator==(const Vec3&) const = default;
 
@@ -94,7 +94,7 @@ struct Vec3 {
   /// Unit vector; a null vector is returned unchanged.
   Vec3 normalized() const { return Imath::V3f(*this).normalized(); }
   Vec3& normalize() { return *this = normalized(); }
-  bool equalWithAbsError(const Vec3& v, float e) const {
+  bool equalWithAbsError(const Vec3& v, float e) const {  // NOLINT(readability-identifier-naming)
     return Imath::V3f(*this).equalWithAbsError(v, e);
   }
 };
