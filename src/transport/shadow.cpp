@@ -61,10 +61,10 @@ const Material& shade_hit(const World& world, const ShadingPoint& point, const g
   return material;
 }
 
-/// The transparent blockers of a shadow ray, which one traversal of the scene meets, instead of one
-/// after the other. Light that passes several is the same in any order, unless shadow shaders
-/// filter it. Blockers of constant transmission are evaluated after the traversal, since light that
-/// an opaque surface blocks does not need them.
+/// Collects the transparent blockers of a shadow ray in one traversal of the scene. Light that
+/// passes several is the same in any order, unless shadow shaders filter it. Blockers of constant
+/// transmission are evaluated after the traversal, since light that an opaque surface blocks does
+/// not need them.
 class BlockersInAnyOrder final : public geom::BlockTest {
  public:
   BlockersInAnyOrder(const World& world, const ShadingPoint& point, const geom::Ray& ray, int light)
