@@ -74,8 +74,7 @@ class BlockersInAnyOrder final : public geom::BlockTest {
     const Material& material = material_of(world_, hit);
     in_order_ |= material.filters_shadows();
     if (in_order_) return false;
-    if (!material.straight_by_angle) return !pass(hit);
-    if (waiting_count_ == kMaxShadowBlockers) return true;
+    if (!material.straight_by_angle || waiting_count_ == kMaxShadowBlockers) return !pass(hit);
     waiting_[static_cast<std::size_t>(waiting_count_++)] = hit;
     return false;
   }

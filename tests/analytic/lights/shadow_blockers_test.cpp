@@ -161,5 +161,21 @@ TEST(ShadowModes, SurfacesAtOnePlaceCountOnce) {
   EXPECT_EQ(open.all, Rgb(.25f));
 }
 
+TEST(ShadowModes, SurfacesThatAreCutOutEntirelyAreNotCounted) {
+  SceneText scene("trace depth 8 8 12 shadow on");
+  scene.material("nothing", "\"reflectivity\" 0, \"cutout_opacity\" 0");
+  constexpr int kSurfaces = 300;  // more than a shadow ray counts
+  for (int i = 1; i <= kSurfaces; ++i)
+    scene.square("nothing", Vec3(0, 0, 5.0f * static_cast<float>(i) / (kSurfaces + 1)), 4, kUp);
+  const Probe probe(scene);
+  ASSERT_TRUE(probe.world().materials.back().straight_by_angle);
+  ShadingPoint point;
+  point.normal = point.geometric_normal = kUp;
+  point.position = Vec3(.3f, .1f, 0);
+  RayCounts counts;
+  const Transmittance open = shadow_transmittance(probe.world(), point, kUp, 5, counts, -1);
+  EXPECT_EQ(open.all, Rgb(1));
+}
+
 }  // namespace shadow_blockers_test
 }  // namespace oriel::testing
