@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-""".ci/run gives clang-tidy the time that is left, or skips it; tools/tidy rejects --minutes 0."""
+""".ci/run skips the sanitizers and clang-tidy when no time is left; tools/tidy rejects --minutes 0."""
 import os
 import pathlib
 import shutil
@@ -17,7 +17,7 @@ TEST = """#!/bin/bash
 mkdir -p build/release build/asan/bin
 echo '100% tests passed, 0 tests failed out of 7' > build/release/tests.log
 for name in mi_test robustness_tests fuzz_replay_tests; do
-  printf '#!/bin/bash\\necho "[  PASSED  ] 5 tests."\\n' > build/asan/bin/$name
+  printf '#!/bin/bash\\necho "[  PASSED  ] 5 tests."\\nexit ${ASAN_EXIT:-0}\\n' > build/asan/bin/$name
   chmod +x build/asan/bin/$name
 done
 exit ${TEST_EXIT:-0}
@@ -66,6 +66,18 @@ class CiRun(unittest.TestCase):
             self.assertEqual(run.returncode, 0, run.stderr)
             self.assertNotIn("tidy was run", run.stdout)
             self.assertIn("clang-tidy: skipped for lack of time", run.stdout)
+
+    def test_the_sanitizers_run_until_the_budget_is_used_up(self):
+        for minutes in (5, 39):
+            self.assertIn("sanitizers: 15 tests passed;", self.run_after(minutes).stdout)
+        for minutes in (40, 55):
+            run = self.run_after(minutes)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertNotIn("build asan", run.stdout)
+            self.assertIn("sanitizers: skipped for lack of time;", run.stdout)
+
+    def test_the_sanitizers_fail_the_run(self):
+        self.assertNotEqual(self.run_after(5, ASAN_EXIT="1").returncode, 0)
 
     def test_the_last_line_is_the_result_of_the_tests(self):
         for minutes in (5, 55):
