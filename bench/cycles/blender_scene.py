@@ -222,6 +222,23 @@ def add_fog(extinction):
     add("fog", data)
 
 
+def move(placed, motion):
+    """From the first frame, when the shutter opens, to the second, when it closes."""
+    end = [a + b for a, b in zip(motion["centre"], motion.get("by", (0, 0, 0)))]
+    for frame, place, turn in ((1, motion["centre"], 0), (2, end, motion.get("turn", 0))):
+        placed.location, placed.rotation_euler = up(place), (0, 0, math.radians(turn))
+        placed.keyframe_insert("location", frame=frame)
+        placed.keyframe_insert("rotation_euler", frame=frame)
+    for curve in placed.animation_data.action.fcurves:
+        for key in curve.keyframe_points:
+            key.interpolation = "LINEAR"
+    placed.cycles.motion_steps = 5
+    bpy.context.scene.frame_set(1)
+    render = bpy.context.scene.render
+    render.use_motion_blur, render.motion_blur_shutter = True, 1
+    bpy.context.scene.cycles.motion_blur_position = "START"
+
+
 def build(scene, probe, profile, sun_colour):
     world = bpy.data.worlds.new("world")
     bpy.context.scene.world = world
@@ -248,7 +265,9 @@ def build(scene, probe, profile, sun_colour):
                 layer.data[corner.index].uv = m["uvs"][corner.vertex_index]
         if "normals" in m:
             data.polygons.foreach_set("use_smooth", [True] * len(m["faces"]))
-        add(f"mesh{i}", data)
+        placed = add(f"mesh{i}", data)
+        if "motion" in m:
+            move(placed, m["motion"])
     for i, l in enumerate(scene["lights"]):
         add_light(f"light{i}", l, profile)
     c = scene["camera"]

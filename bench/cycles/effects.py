@@ -2,7 +2,8 @@
 """Depth of field, bumps, brushed metal, rough glass, fog and mixed light, as data in the form of scenes.py.
 
 Further keys: `lens` of a camera (radius of the aperture, distance of the sharp plane); `fog` of a
-scene (extinction; all of it scatters, in a closed room). Further materials: `frosted` glass;
+scene (extinction; all of it scatters, in a closed room); `motion` of a mesh while the shutter is open
+(`centre`, to which its vertices are relative, `by` a vector, `turn` in degrees about the vertical). Further materials: `frosted` glass;
 `brushed` metal, with the `ratio` of width to height of its highlights. `bump` of a glossy material:
 a picture, and the height of its white.
 """
@@ -136,3 +137,30 @@ def atrium():
     sun = {"kind": "sun", "direction": (.45, -.8, -.3), "albedo_one": 4.0}
     return {"meshes": meshes, "materials": {**materials(*DIFFUSE), **kinds}, "lights": [sun],
             "background": 1.0, "bounces": 12, "camera": camera((2, 1.7, 12.5), (-.5, 4.2, -4), 1.4)}
+
+
+def moving():
+    """A workshop under sun and sky through a wide door: a fan, a falling ball, a sliding door, a cart."""
+    meshes = [quad("floor", (-6, 0, 6), (6, 0, 6), (6, 0, -6), (-6, 0, -6)),
+              box("white", (-4, 3, -4), (4, 3.2, 4)), box("brick", (-4.2, 0, -4), (-4, 3, 4)),
+              box("white", (4, 0, -4), (4.2, 3, 4)), *wall_z("white", -4, 4, 3, -4, [(-3, 2, .05, 2.6)]),
+              *table(1.5, -1, 1.4, .7, .8), *chair(1.6, .4)]
+    for k in range(3):  # a fan below the ceiling
+        blade = box("dark", (.15, -.01, -.12), (1.2, .01, .12))
+        c, s = math.cos(k * 2.0944), math.sin(k * 2.0944)
+        blade["vertices"] = [(c * x + s * z, y, c * z - s * x) for x, y, z in blade["vertices"]]
+        meshes.append({**blade, "motion": {"centre": (0, 2.6, -.5), "turn": 50}})
+    meshes += [{**sphere("gold", (0, 0, 0), .22, 48), "motion": {"centre": (-.6, 1.3, .8), "by": (.1, -.5, 0)}},
+               {**box("plastic", (-.6, -1.2, -.03), (.6, 1.2, .03)),
+                "motion": {"centre": (-1.2, 1.25, -3.8), "by": (.7, 0, 0)}},
+               {**box("cloth", (-.4, -.25, -.3), (.4, .25, .3), 20),
+                "motion": {"centre": (-2, .3, -1.2), "by": (.5, 0, .3), "turn": -25}},
+               {**cylinder("dark", (0, 0, 0), .25, .5, 48), "motion": {"centre": (.4, .25, 1.5), "turn": 90}},
+               {**box("globe", (-.3, -.04, -.04), (.3, .04, .04)),
+                "motion": {"centre": (1.5, 1.9, -1), "by": (0, 0, .5), "turn": 40}}]
+    kinds = {"gold": {"kind": "metal", "colour": (.95, .7, .35), "roughness": .3},
+             "plastic": {"kind": "plastic", "diffuse": (.1, .3, .5), "roughness": .4},
+             "globe": {"kind": "glow", "radiance": (30, 24, 16)}}
+    sun = {"kind": "sun", "direction": (.3, -.7, .8), "albedo_one": 4.0}
+    return {"meshes": meshes, "materials": {**materials(*DIFFUSE), **kinds}, "lights": [sun],
+            "background": 1.0, "camera": camera((2.6, 1.7, 3.6), (-.6, 1.2, -.8), 1.5)}

@@ -11,6 +11,7 @@ OPTIONS = '''options "opt"
   trace depth {n} {n} {n}
   caustic {caustic}
   "indirect" "path"
+  {motion}
 end options
 '''
 
@@ -92,6 +93,15 @@ def material(m):
     return ", ".join(f'"{k}" {text(v)}' for k, v in p.items())
 
 
+def moves(motion):
+    """The places of an instance when the shutter opens and when it closes."""
+    c, angle = motion["centre"], math.radians(motion.get("turn", 0))
+    x, z = (math.cos(angle), 0, -math.sin(angle)), (math.sin(angle), 0, math.cos(angle))
+    end = tuple(a + b for a, b in zip(c, motion.get("by", (0, 0, 0))))
+    return (world_to((1, 0, 0), (0, 1, 0), (0, 0, 1), c) + " motion " +
+            world_to(x, (0, 1, 0), z, end))
+
+
 def mesh(f, name, m):
     f.write(f'object "{name}"\n visible shadow trace\n group\n')
     f.writelines(numbers(*v) + "\n" for v in m["vertices"])
@@ -107,7 +117,7 @@ def mesh(f, name, m):
         f.write(f"v {i}{normal}" + (f" t {i + count * (2 if normals else 1)}" if uvs else "") + "\n")
     f.writelines("p " + " ".join(map(str, face)) + "\n" for face in m["faces"])
     f.write(f' end group\nend object\ninstance "{name}_i" "{name}" material "{m["material"]}" '
-            'end instance\n')
+            f'{moves(m["motion"]) if "motion" in m else ""} end instance\n')
 
 
 def light(f, name, l):
@@ -203,13 +213,18 @@ def write_profile(path, candela):
         f.write(numbers(*angles) + "\n0\n" + numbers(*candela) + "\n")
 
 
+def moving(scene):
+    return any("motion" in m for m in scene["meshes"])
+
+
 def write(scene, path, probe, profile):
     with open(path, "w", encoding="ascii") as f:
         f.write('$include <base.mi>\n$include <physics.mi>\n$include <architectural.mi>\n')
         refracts = any(m["kind"] == "frosted" or not m.get("straight", True)
                        for m in scene["materials"].values())
         f.write(OPTIONS.format(n=scene.get("bounces", scenes.BOUNCES),
-                               caustic="on" if refracts else "off"))
+                               caustic="on" if refracts else "off",
+                               motion="motion on motion steps 15 shutter 1" if moving(scene) else ""))
         if "profile" in scene:
             f.write(f'lightprofile "profile" format ies file "{profile}" hermite 3 end lightprofile\n')
         for name, picture in scene.get("pictures", {}).items():

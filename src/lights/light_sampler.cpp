@@ -137,31 +137,31 @@ float LightSampler::plain_samples(bool after_diffuse) const {
   return after_diffuse && !portals().empty() ? kEnvironmentBesidePortals * rate : rate;
 }
 
-float LightSampler::environment_samples(const LitVertex& at, bool after_diffuse, bool alone) const {
-  if (!environment_.lights()) return 0;
-  if (alone || (at.placed_ && openings_.light(at.lit_))) return 1;
-  return plain_samples(after_diffuse);
-}
-
-float LightSampler::plain_share(const LitVertex& at) const {
-  if (!at.placed_ || !openings_.light(at.lit_)) return 1;
-  return kPlainShareBesideOpenings * std::max(0.0f, 2 * environment_.unevenness() - 1);
+EnvironmentChances LightSampler::environment_chances(const LitVertex& at, bool after_diffuse,
+                                                     bool alone) const {
+  EnvironmentChances chances;
+  if (!environment_.lights()) return chances;
+  if (at.placed_) chances.openings = openings_.total(at.lit_);
+  if (chances.openings > 0)
+    chances.plain = kPlainShareBesideOpenings * std::max(0.0f, 2 * environment_.unevenness() - 1);
+  chances.samples = alone || chances.openings > 0 ? 1 : plain_samples(after_diffuse);
+  return chances;
 }
 
 LightSampler::EnvironmentFound LightSampler::find_environment(const LitVertex* sampled,
                                                               const EnvironmentRay& ray) const {
   if (!sampled) return {environment_radiance(ray), 0};
   const std::size_t cell = environment_.table().cell_of(ray.direction);
-  const float plain = plain_share(*sampled);
+  const auto& [samples, plain, openings] = sampled->environment;
   float pdf = 0;
   if (plain > 0) pdf += plain * environment_.pdf(sampled->lit_.normal, ray.direction, cell);
-  if (plain < 1) pdf += (1 - plain) * openings_.pdf(sampled->lit_, ray.direction);
-  return {environment_.table().radiance(world_, ray, cell), pdf * sampled->environment_samples};
+  if (plain < 1) pdf += (1 - plain) * openings_.pdf(sampled->lit_, openings, ray.direction);
+  return {environment_.table().radiance(world_, ray, cell), pdf * samples};
 }
 
 std::optional<EnvironmentDirection> LightSampler::sample_environment(const LitVertex& at, Vec2 u,
                                                                      bool alone) const {
-  const float expected = at.environment_samples;
+  const auto& [expected, plain, openings] = at.environment;
   if (u.x >= expected) return std::nullopt;
   u.x = std::min(u.x / expected, 0x1.fffffep-1f);
   constexpr float kFar = std::numeric_limits<float>::infinity();
@@ -169,7 +169,6 @@ std::optional<EnvironmentDirection> LightSampler::sample_environment(const LitVe
     const auto s = environment_.sample_alone(u);
     return EnvironmentDirection{{s.wi, kFar, s.pdf * expected}, s.cell};
   }
-  const float plain = plain_share(at);
   EnvironmentDirection found{{Vec3(0), kFar, 0}, 0};
   if (u.x < plain) {
     const auto s =
@@ -177,10 +176,10 @@ std::optional<EnvironmentDirection> LightSampler::sample_environment(const LitVe
     found.wi = s.wi;
     found.cell = s.cell;
     found.pdf = plain * s.pdf;
-    if (plain < 1) found.pdf += (1 - plain) * openings_.pdf(at.lit_, s.wi);
+    if (plain < 1) found.pdf += (1 - plain) * openings_.pdf(at.lit_, openings, s.wi);
   } else {
-    const auto s =
-        openings_.sample(at.lit_, Vec2(std::min((u.x - plain) / (1 - plain), 0x1.fffffep-1f), u.y));
+    const auto s = openings_.sample(
+        at.lit_, openings, Vec2(std::min((u.x - plain) / (1 - plain), 0x1.fffffep-1f), u.y));
     if (!s) return std::nullopt;
     found.wi = s->wi;
     found.cell = environment_.table().cell_of(s->wi);

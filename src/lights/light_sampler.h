@@ -37,6 +37,13 @@ namespace oriel {
 //   - a source: a class with a sample and a pdf function like MeshLights, a member here, and its
 //     pair of functions.
 
+/// How the environment is sampled at a vertex.
+struct EnvironmentChances {
+  float samples = 0;   ///< expected number of samples, at most 1
+  float plain = 1;     ///< share of the samples that ignores openings
+  float openings = 0;  ///< Openings::total()
+};
+
 /// A vertex as the light sampler sees it: where it is, and which elements light it.
 class LitVertex {
  public:
@@ -47,8 +54,7 @@ class LitVertex {
   /// Whether no element lights it.
   bool empty() const { return !has_elements_; }
 
-  /// Expected number of samples of the environment, at most 1.
-  float environment_samples = 0;
+  EnvironmentChances environment;
   /// Learned probabilities of the lights with a position; optional.
   LightChances chances;
 
@@ -153,9 +159,9 @@ class LightSampler {
   // The environment
 
   const EnvironmentLight& environment() const { return environment_; }
-  /// Expected number of samples for a vertex. `alone`: no BSDF sample is combined with them;
-  /// otherwise those find an even environment as well, which gets none, except through openings.
-  float environment_samples(const LitVertex& at, bool after_diffuse, bool alone) const;
+  /// For a vertex. `alone`: no BSDF sample is combined with its samples; otherwise those find an
+  /// even environment as well, which gets none, except through openings.
+  EnvironmentChances environment_chances(const LitVertex& at, bool after_diffuse, bool alone) const;
   /// A direction, or by chance none.
   std::optional<EnvironmentDirection> sample_environment(const LitVertex& at, Vec2 u,
                                                          bool alone) const;
@@ -229,8 +235,6 @@ class LightSampler {
     return set == kFinite ? at.chances : kUnknown;
   }
   static std::size_t set_of(const Light& light);
-  /// Share of the samples of the environment that ignore openings.
-  float plain_share(const LitVertex& at) const;
   /// Expected number of samples without openings, beside samples of lobes.
   float plain_samples(bool after_diffuse) const;
   bool is_lit_by(const LitVertex& at, int light) const {

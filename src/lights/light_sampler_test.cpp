@@ -172,15 +172,15 @@ TEST(LightSampler, OneSampleIsWeightedByTheExpectedSampleCount) {
 TEST(LightSampler, EnvironmentSamplesMatchTheirCountAndPdf) {
   Scene scene;
   LitVertex at = scene.vertex();
-  EXPECT_EQ(scene.sampler().environment_samples(at, true, false), 0) << "there is none";
+  EXPECT_EQ(scene.sampler().environment_chances(at, true, false).samples, 0) << "there is none";
   scene.world.environment = {&scene.sky};
-  EXPECT_EQ(scene.sampler().environment_samples(at, true, false), 1);
+  EXPECT_EQ(scene.sampler().environment_chances(at, true, false).samples, 1);
   scene.add_portal();
   const LightSampler sampler = scene.sampler();
-  EXPECT_EQ(sampler.environment_samples(at, false, false), 1);
-  at.environment_samples = sampler.environment_samples(at, true, false);
-  EXPECT_GT(at.environment_samples, 0);
-  EXPECT_LT(at.environment_samples, 1);
+  EXPECT_EQ(sampler.environment_chances(at, false, false).samples, 1);
+  at.environment = sampler.environment_chances(at, true, false);
+  EXPECT_GT(at.environment.samples, 0);
+  EXPECT_LT(at.environment.samples, 1);
   constexpr int kDraws = 40000;
   double drawn = 0, solid_angle = 0, radiance = 0;
   for (int i = 0; i < kDraws; ++i) {
@@ -192,7 +192,7 @@ TEST(LightSampler, EnvironmentSamplesMatchTheirCountAndPdf) {
     solid_angle += 1.0 / kDraws / static_cast<double>(s->pdf);
     radiance += (1.0 + s->wi.x) / kDraws / static_cast<double>(s->pdf);
   }
-  EXPECT_NEAR(drawn, at.environment_samples, .01);
+  EXPECT_NEAR(drawn, at.environment.samples, .01);
   EXPECT_NEAR(solid_angle / (4 * M_PI), 1, .05);
   EXPECT_NEAR(radiance / (4 * M_PI), 1, .02);
   // What is combined with rays has a density of its own.
@@ -213,8 +213,8 @@ struct ThroughOpening {
     const LightSampler sampler = scene.sampler(
         {}, Openings({{Vec3(-1, -1, 1), Vec3(2, 0, 0), Vec3(0, 2, 0), Vec3(0, 0, -1)}}));
     LitVertex at = scene.vertex();
-    at.environment_samples = sampler.environment_samples(at, true, false);
-    EXPECT_EQ(at.environment_samples, 1);
+    at.environment = sampler.environment_chances(at, true, false);
+    EXPECT_EQ(at.environment.samples, 1);
     constexpr int kDraws = 40000;
     int other_cells = 0;
     for (int i = 0; i < kDraws; ++i) {

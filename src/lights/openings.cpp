@@ -2,7 +2,6 @@
 #include "lights/openings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -53,12 +52,6 @@ class SeenOpening {
 
 }  // namespace
 
-/// Shares of the rectangles at a point; they sum to `total`.
-struct Openings::Shares {
-  std::array<float, kMax> of{};
-  float total = 0;
-};
-
 Openings::Openings(std::vector<OpeningRectangle> rectangles) : rectangles_(std::move(rectangles)) {
   ORIEL_ASSERT(rectangles_.size() <= kMax);
   for (OpeningRectangle& r : rectangles_) r.axes = {r.edge_u, r.edge_v};
@@ -83,61 +76,55 @@ float Openings::share(const OpeningRectangle& r, const LitPoint& lit) const {
   return area * height / (d2 * d) * cosine * (r.table ? r.table->mean_luminance() : 1.0f);
 }
 
-Openings::Shares Openings::shares_at(const LitPoint& lit) const {
-  Shares shares;
-  for (std::size_t i = 0; i < rectangles_.size(); ++i)
-    shares.total += shares.of[i] = share(rectangles_[i], lit);
-  return shares;
+float Openings::total(const LitPoint& lit) const {
+  float sum = 0;
+  for (const OpeningRectangle& r : rectangles_) sum += share(r, lit);
+  return sum;
 }
 
-bool Openings::light(const LitPoint& lit) const {
-  return std::any_of(rectangles_.begin(), rectangles_.end(),
-                     [&](const OpeningRectangle& r) { return share(r, lit) > 0; });
-}
-
-std::optional<Openings::Sample> Openings::sample(const LitPoint& lit, Vec2 u) const {
-  const Shares shares = shares_at(lit);
-  if (!(shares.total > 0)) return std::nullopt;
-  float left = u.x * shares.total;
-  std::size_t chosen = 0;
-  for (std::size_t i = 0; i < rectangles_.size(); ++i) {
-    if (shares.of[i] <= 0) continue;
-    chosen = i;
-    if (left < shares.of[i]) break;
-    left -= shares.of[i];
+std::optional<Openings::Sample> Openings::sample(const LitPoint& lit, float total, Vec2 u) const {
+  float left = u.x * total, share_of_chosen = 0;
+  const OpeningRectangle* chosen = nullptr;
+  for (const OpeningRectangle& r : rectangles_) {
+    const float of_this = share(r, lit);
+    if (of_this <= 0) continue;
+    chosen = &r;
+    share_of_chosen = of_this;
+    if (left < of_this) break;
+    left -= of_this;
   }
-  u.x = clamp(left / shares.of[chosen], 0.0f, 0x1.fffffep-1f);
-  const SeenOpening seen(rectangles_[chosen], lit.position);
+  if (!chosen) return std::nullopt;
+  u.x = clamp(left / share_of_chosen, 0.0f, 0x1.fffffep-1f);
+  const SeenOpening seen(*chosen, lit.position);
   const Vec3 wi = seen.sample(u);
-  const float density = pdf(shares, lit, wi, [&](std::size_t i, float distance) {
-    return i == chosen ? seen.pdf(wi, distance)
-                       : SeenOpening(rectangles_[i], lit.position).pdf(wi, distance);
+  const float density = pdf(lit, total, wi, [&](const OpeningRectangle& r, float distance) {
+    return &r == chosen ? seen.pdf(wi, distance) : SeenOpening(r, lit.position).pdf(wi, distance);
   });
   if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
   return Sample{wi, density};
 }
 
-float Openings::pdf(const LitPoint& lit, const Vec3& wi) const {
-  const Shares shares = shares_at(lit);
-  if (!(shares.total > 0)) return 0;
-  return pdf(shares, lit, wi, [&](std::size_t i, float distance) {
-    return SeenOpening(rectangles_[i], lit.position).pdf(wi, distance);
+float Openings::pdf(const LitPoint& lit, float total, const Vec3& wi) const {
+  return pdf(lit, total, wi, [&](const OpeningRectangle& r, float distance) {
+    return SeenOpening(r, lit.position).pdf(wi, distance);
   });
 }
 
 template <class F>
-float Openings::pdf(const Shares& shares, const LitPoint& lit, const Vec3& wi, F&& through) const {
+float Openings::pdf(const LitPoint& lit, float total, const Vec3& wi, F&& through) const {
+  if (!(total > 0)) return 0;
   float sum = 0;
-  for (std::size_t i = 0; i < rectangles_.size(); ++i) {
-    if (shares.of[i] <= 0) continue;
-    const OpeningRectangle& r = rectangles_[i];
+  for (const OpeningRectangle& r : rectangles_) {
+    if (!(dot(wi, r.inward) < 0)) continue;  // light enters through the other side
     const Vec3 half_u = r.edge_u * 0.5f, half_v = r.edge_v * 0.5f;
     const auto hit =
         geom::intersect(geom::Rectangle{r.corner + half_u + half_v, half_u, half_v}, lit.position,
                         wi, 0.0f, std::numeric_limits<float>::infinity());
-    if (hit) sum += shares.of[i] * through(i, hit->t);
+    if (!hit) continue;
+    const float of_this = share(r, lit);
+    if (of_this > 0) sum += of_this * through(r, hit->t);
   }
-  return sum / shares.total;
+  return sum / total;
 }
 
 }  // namespace oriel

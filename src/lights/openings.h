@@ -49,23 +49,21 @@ class Openings {
   /// What find_openings() found.
   const OpeningSearch& found() const { return found_; }
 
-  /// Whether some rectangle may light the point.
-  bool light(const LitPoint& lit) const;
+  /// Sum of the estimates of irradiance; 0 if no rectangle lights the point.
+  float total(const LitPoint& lit) const;
   struct Sample {
     Vec3 wi{0, 0, 1};
     float pdf = 0;  ///< per solid angle
   };
-  /// Inputs:  u: uniform in [0,1)^2. Nothing if no rectangle lights the point.
-  std::optional<Sample> sample(const LitPoint& lit, Vec2 u) const;
-  float pdf(const LitPoint& lit, const Vec3& wi) const;
+  /// Inputs:  total: of that point, above 0. u: uniform in [0,1)^2.
+  std::optional<Sample> sample(const LitPoint& lit, float total, Vec2 u) const;
+  float pdf(const LitPoint& lit, float total, const Vec3& wi) const;
 
  private:
-  struct Shares;
-  Shares shares_at(const LitPoint& lit) const;
   float share(const OpeningRectangle& rectangle, const LitPoint& lit) const;
-  /// Inputs:  through(i, distance): density of wi through rectangle i, which it hits.
+  /// Inputs:  through(r, distance): density of wi through rectangle r, which it hits.
   template <class F>
-  float pdf(const Shares& shares, const LitPoint& lit, const Vec3& wi, F&& through) const;
+  float pdf(const LitPoint& lit, float total, const Vec3& wi, F&& through) const;
 
   std::vector<OpeningRectangle> rectangles_;
   OpeningSearch found_;

@@ -19,13 +19,14 @@ Openings two_squares() {
 TEST(Openings, DensityMatchesTheSamples) {
   const Openings openings = two_squares();
   const LitPoint at{Vec3(.2f, .1f, 0), Vec3(0, 0, 1)};
+  const float total = openings.total(at);
   constexpr int kDraws = 100000;
   double above = 0, beside = 0;
   for (int i = 0; i < kDraws; ++i) {
     sampling::Sampler random(i, 0, 0);
-    const auto s = openings.sample(at, random.next_2d());
+    const auto s = openings.sample(at, total, random.next_2d());
     ASSERT_TRUE(s);
-    ASSERT_NEAR(openings.pdf(at, s->wi) / s->pdf, 1, 1e-4);
+    ASSERT_NEAR(openings.pdf(at, total, s->wi) / s->pdf, 1, 1e-4);
     const Vec3 top = at.position + s->wi * (1 / s->wi.z);
     const bool is_above = std::max(std::abs(top.x), std::abs(top.y)) < 1;
     (is_above ? above : beside) += 1.0 / kDraws / static_cast<double>(s->pdf);
@@ -43,16 +44,17 @@ TEST(Openings, DensityMatchesTheSamples) {
 
 TEST(Openings, DoNotLightWhatIsBehindThem) {
   const Openings openings = two_squares();
-  EXPECT_FALSE(openings.light({Vec3(5, 0, 3), Vec3(0)}));
-  EXPECT_FALSE(openings.sample({Vec3(5, 0, 3), Vec3(0)}, Vec2(.5f)));
-  EXPECT_TRUE(openings.light({Vec3(5, 0, .5f), Vec3(0)})) << "below the first one";
+  EXPECT_EQ(openings.total({Vec3(5, 0, 3), Vec3(0)}), 0);
+  EXPECT_FALSE(openings.sample({Vec3(5, 0, 3), Vec3(0)}, 0, Vec2(.5f)));
+  EXPECT_GT(openings.total({Vec3(5, 0, .5f), Vec3(0)}), 0) << "below the first one";
   // The square above is behind the surface, the other one is not.
   const LitPoint down{Vec3(0), Vec3(0, 0, -1)};
-  EXPECT_FALSE(openings.light(down));
-  EXPECT_TRUE(openings.light({Vec3(0, 0, .5f), Vec3(0, 0, -1)}));
-  EXPECT_EQ(openings.pdf({Vec3(0, 0, .5f), Vec3(0, 0, -1)}, Vec3(0, 0, 1)), 0);
+  EXPECT_EQ(openings.total(down), 0);
+  const LitPoint beside{Vec3(0, 0, .5f), Vec3(0, 0, -1)};
+  EXPECT_GT(openings.total(beside), 0);
+  EXPECT_EQ(openings.pdf(beside, openings.total(beside), Vec3(0, 0, 1)), 0);
   EXPECT_TRUE(Openings().empty());
-  EXPECT_FALSE(Openings().sample(down, Vec2(.5f)));
+  EXPECT_FALSE(Openings().sample(down, 0, Vec2(.5f)));
 }
 
 }  // namespace openings_test

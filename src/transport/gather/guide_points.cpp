@@ -32,8 +32,8 @@ struct Strata {
 /// Share of the environment in a direction that only rays find.
 float environment_share(const World& world, const GatherPoint& at, const Vec3& direction) {
   LitVertex lit(world, at.point, Closure());
-  lit.environment_samples = world.light_sampler->environment_samples(lit, true, false);
-  if (!(lit.environment_samples > 0)) return 1;
+  lit.environment = world.light_sampler->environment_chances(lit, true, false);
+  if (!(lit.environment.samples > 0)) return 1;
   const auto found = world.light_sampler->find_environment(
       &lit, {.origin = at.point.position, .direction = direction});
   const float pdf = sampling::cosine_hemisphere_pdf(dot(direction, at.normal));

@@ -220,7 +220,7 @@ DirectLight direct_light(const World& world, ShadingPoint& point, const Closure&
     sampler.skip();
   world.light_sampler->sample(
       lights, u_light, [&](const LightPick& pick) { direct.add_light(pick, sampler.next_2d()); });
-  if (lights.environment_samples > 0) direct.add_environment(sampler.next_2d());
+  if (lights.environment.samples > 0) direct.add_environment(sampler.next_2d());
   return direct.sum();
 }
 

@@ -61,10 +61,10 @@ class GridPointVisitor final : public SurfaceVisitor {
       branch.sampler_ = path.sampler_.split(j, rays, static_cast<std::uint32_t>(i));
       // Reflecting lobes show lights without a visible shape by their highlights; refracting lobes
       // include them here.
-      branch.from_.lights.environment_samples = 0;
+      branch.from_.lights.environment = {};
       if (refracts) {
         std::construct_at(&branch.from_.lights, path.world_, point, alone);
-        branch.from_.lights.environment_samples = branch.environment_samples(material);
+        branch.from_.lights.environment = branch.environment_chances(material);
         branch.light_.throughput = Rgb(1 / static_cast<float>(rays));
         branch.take_direct(alone, only, point, true);
         branch.light_.throughput = Rgb(1);

@@ -202,7 +202,7 @@ void Path::meet_environment() {
   // What light sampling sees of it, if this is the environment that it samples.
   const bool own = way_.environment != nullptr;
   const bool gathers = ray.kind == RayKind::FinalGather;
-  const bool weighed = from_.weighed && from_.lights.environment_samples > 0 && !own;
+  const bool weighed = from_.weighed && from_.lights.environment.samples > 0 && !own;
   LightSampler::EnvironmentFound seen;
   if (!own && (gathers || weighed))
     seen = world_.light_sampler->find_environment(weighed ? &from_.lights : nullptr, ray);

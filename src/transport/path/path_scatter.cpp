@@ -120,10 +120,10 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint
   choice.share_one_ray(closure.count);
 }
 
-/// Expected number of samples of the environment at this vertex.
-float Path::environment_samples(const Material& material) const {
-  if (!indirect() || !material.environment.empty()) return 0;
-  return world_.light_sampler->environment_samples(from_.lights, depth_.after_diffuse,
+/// How the environment is sampled at this vertex.
+EnvironmentChances Path::environment_chances(const Material& material) const {
+  if (!indirect() || !material.environment.empty()) return {};
+  return world_.light_sampler->environment_chances(from_.lights, depth_.after_diffuse,
                                                    settings_.estimator == Estimator::LightOnly);
 }
 
@@ -378,7 +378,7 @@ bool Path::continue_path(const Closure& closure, const LobeChoice& choice, const
   const LobeKind kind = closure.lobes[sample->lobe].kind;
   const bool too_deep = !is_diffuse(kind) && depth_reached(kind);
   if (group_of(kind) == LobeGroup::Reflection && limits_reflections(closure))
-    from_.lights.environment_samples = 0;
+    from_.lights.environment = {};
   scatter(closure, material, point, *sample);
   from_.weighed &= weighed;
   // A single look-up represents the whole lobe; each of many rays represents its share of the solid
@@ -427,14 +427,14 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
     place_lit_vertex(closure, point);
   else
     std::construct_at(&from_.lights);
-  from_.lights.environment_samples = environment_samples(material);
+  from_.lights.environment = environment_chances(material);
   const bool scatters_light = closure.any([](const Lobe& lobe) { return !is_delta(lobe.kind); });
   if (scatters_light && !eye_hit_.features_seen && !from_.weighed) {
     eye_hit_.features_seen = true;
     record_->normal = point.normal;
     record_->albedo = closure.albedo;
   }
-  if (scatters_light && (!from_.lights.empty() || from_.lights.environment_samples > 0))
+  if (scatters_light && (!from_.lights.empty() || from_.lights.environment.samples > 0))
     take_direct(closure, choice, point, diffuse || (reads_photons() && !reads_bounces()));
   if (scatters_light && choice.any)
     sample_surfaces(closure, choice, point, diffuse,

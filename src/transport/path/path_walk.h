@@ -266,7 +266,7 @@ class Path {
                              const DirectRequest& request);
   void add_direct(const Closure& closure, const DirectLight& light, std::size_t layer);
   void occlude(const Closure& closure, const ShadingPoint& point);
-  float environment_samples(const Material& material) const;
+  EnvironmentChances environment_chances(const Material& material) const;
   int rays_at_first(float samples, float importance) const;
   bool continue_path(const Closure& closure, const LobeChoice& choice, const Material& material,
                      ShadingPoint& point, int lobe, float u_rest, bool weighed = true);
