@@ -354,10 +354,12 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
                 (bound.shadow_surface.empty() || some_transmit(bound.shadow_surface))
           : bound.may_have_holes;
   bound.may_transmit = bound.may_transmit && bound.has_shadow_shader && !bound.opaque;
-  if (!bound.filters_shadows() && bound.surface.size() == 1) {
+  if (bound.surface.size() == 1) {
     const ShaderNode* node = bound.surface.front();
-    const auto by_angle = node->spec().material.straight_by_angle;
-    if (by_angle && by_angle(*node)) bound.straight_by_angle = node;
+    const MaterialRole& role = node->spec().material;
+    if (role.straight_by_angle && !bound.filters_shadows() && role.straight_by_angle(*node))
+      bound.straight_by_angle = node;
+    if (role.even_emission) bound.even_emission = role.even_emission(*node);
   }
   for (const ShaderNode* node : bound.surface) {
     if (node->spec().material.has_outputs) bound.outputs = node->spec().material.has_outputs(*node);

@@ -2,6 +2,7 @@
 // A bound material: the shaders of its slots and their constant properties.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "runtime/closure.h"
@@ -23,6 +24,8 @@ struct Material {
   NodeList shadow_surface;  ///< material shaders whose closure transmits light as a surface's does
   /// Gives the light that passes to shadow rays by the angle alone; null: its closure gives it.
   const ShaderNode* straight_by_angle = nullptr;
+  /// The emission where it is the same everywhere and the surface is opaque.
+  std::optional<Rgb> even_emission = {};
   bool has_shadow_shader = false;  ///< without one a blocker is opaque
   bool may_transmit = false;       ///< shadow rays must shade the surface
   bool may_have_holes = false;     ///< cut-outs; for rays that pass nothing else

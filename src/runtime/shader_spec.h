@@ -185,6 +185,9 @@ struct MaterialRole {
   StraightLight (*straight)(const ShaderNode&, const World&, int instance, float cosine) = nullptr;
   /// False if it emits nothing anywhere. Null: unknown.
   bool (*may_emit)(const ShaderNode&) = nullptr;
+  /// The emission if that is the same everywhere, in all directions, and the surface is opaque;
+  /// else nothing. Samples of the surface need no closure then. Null: nothing.
+  std::optional<Rgb> (*even_emission)(const ShaderNode&) = nullptr;
   /// Upper bound on the number of lobes it adds itself, by constant parameters. Null: one.
   int (*max_lobes)(const ShaderNode&) = nullptr;
   /// At each point it evaluates only one of its connected materials.

@@ -320,6 +320,14 @@ bool mia_may_emit(const ShaderNode& node) {
          !node.material_inputs().empty();
 }
 
+std::optional<Rgb> mia_even_emission(const ShaderNode& node) {
+  const MiaMaterialParams& p = node.constants<MiaMaterialParams>();
+  if (mia_may_transmit(node) || !node.material_inputs().empty() ||
+      node.connected(offsetof(MiaMaterialParams, additional_color)))
+    return std::nullopt;
+  return rgb(p.additional_color);
+}
+
 bool mia_has_outputs(const ShaderNode& node) {
   return node.constants<MiaMaterialParams>().multiple_outputs ||
          node.connected(offsetof(MiaMaterialParams, multiple_outputs));
@@ -425,6 +433,7 @@ const ShaderSpec kMiaMaterial = {
                  .straight_by_angle = mia_straight_by_angle,
                  .straight = mia_straight,
                  .may_emit = mia_may_emit,
+                 .even_emission = mia_even_emission,
                  .max_lobes = mia_most_lobes,
                  .grids = mia_grids},
 };
@@ -445,6 +454,7 @@ const ShaderSpec kMiaMaterialX = {
                  .straight_by_angle = mia_straight_by_angle,
                  .straight = mia_straight,
                  .may_emit = mia_may_emit,
+                 .even_emission = mia_even_emission,
                  .max_lobes = mia_most_lobes,
                  .has_outputs = mia_has_outputs,
                  .grids = mia_grids},

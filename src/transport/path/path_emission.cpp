@@ -176,6 +176,8 @@ Rgb Path::seen_of(const SurfaceTarget& target, const Closure& closure, const Sha
          std::abs(from_start + hit.t - distance) <= kSamePlace * distance + point.ray_offset);
     const Material& material = material_of(world_, hit);
     if (!arrived && !material.may_transmit) return Rgb(0);
+    if (arrived && target.light < 0 && material.even_emission && way.medium.clear())
+      return kept * *material.even_emission;
     ShadingPoint met;
     fill_point(world_, ray, hit, cone, kind, met);
     met.raster = raster_;

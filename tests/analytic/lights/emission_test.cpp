@@ -215,6 +215,38 @@ TEST(Emission, GlassAndHolesBeforeItPassWhatRaysFind) {
   }
 }
 
+TEST(Emission, ConstantsAndInputsOfTheSameValueAreTheSameLight) {
+  const auto measured = [](const std::string& colour, const std::string& lamp, float height,
+                           const std::string& between) {
+    SceneText scene("trace depth 8 8 12 shadow segments");
+    scene.material("floor", "\"reflectivity\" .2, \"refl_gloss\" .4, \"diffuse\" .5 .5 .5")
+        .square("floor", Vec3(0), 20, kUp)
+        .statement("shader \"ten\" \"mib_color_mix\" ( \"num\" 0, \"color_base\" 10 8 6 )")
+        .material("glow", "\"reflectivity\" 0, \"diffuse_weight\" 0, " + lamp +
+                              "\"additional_color\"" + colour)
+        .square("glow", Vec3(.1f, 0, height), .3f, -kUp);
+    if (!between.empty())
+      scene.material("pane", between).box("pane", Vec3(-2, -2, .4f), Vec3(2, 2, .7f));
+    return Probe(scene).onto(Vec3(0), kUp, 0, 1 << 12).mean;
+  };
+  const std::string glass =
+      "\"transparency\" 1, \"reflectivity\" 1, \"refr_ior\" 1.5, \"diffuse_weight\" 0, "
+      "\"brdf_fresnel\" on, ";
+  const std::string fading =
+      "\"refr_falloff_on\" on, \"refr_falloff_dist\" .5, \"refr_falloff_color_on\" on, "
+      "\"refr_falloff_color\" .2 .5 .8, ";
+  for (const std::string lamp : {"", "\"cutout_opacity\" .5, "})
+    for (const float height : {1.0f, .55f})  // behind the pane, and in its glass
+      for (const std::string& pane :
+           {std::string(), glass + "\"refr_gloss\" 1", glass + fading + "\"refr_gloss\" 1",
+            std::string("\"reflectivity\" 0, \"cutout_opacity\" .4")}) {
+        const std::string name = fmt::format("{} {} {}", lamp, height, pane);
+        const Rgb constant = measured(" 10 8 6", lamp, height, pane);
+        EXPECT_GT(constant.x, 0) << name;
+        EXPECT_EQ(constant, measured(" = \"ten\"", lamp, height, pane)) << name;
+      }
+}
+
 TEST(Emission, FlagsAndInstancesApply) {
   for (const char* flag : {"finalgather 4", "finalgather 8", "reflection 4", "reflection 8",
                            "shadow off", "visible off"}) {
