@@ -222,13 +222,15 @@ def add_fog(extinction):
     add("fog", data)
 
 
-def move(placed, motion):
+def move(placed, start, by, turn=0):
     """From the first frame, when the shutter opens, to the second, when it closes."""
-    end = [a + b for a, b in zip(motion["centre"], motion.get("by", (0, 0, 0)))]
-    for frame, place, turn in ((1, motion["centre"], 0), (2, end, motion.get("turn", 0))):
-        placed.location, placed.rotation_euler = up(place), (0, 0, math.radians(turn))
+    end = [a + b for a, b in zip(start, by)]
+    for frame, place, degrees in ((1, start, 0), (2, end, turn)):
+        placed.location = up(place)
         placed.keyframe_insert("location", frame=frame)
-        placed.keyframe_insert("rotation_euler", frame=frame)
+        if turn:
+            placed.rotation_euler = (0, 0, math.radians(degrees))
+            placed.keyframe_insert("rotation_euler", frame=frame)
     for curve in placed.animation_data.action.fcurves:
         for key in curve.keyframe_points:
             key.interpolation = "LINEAR"
@@ -267,7 +269,8 @@ def build(scene, probe, profile, sun_colour):
             data.polygons.foreach_set("use_smooth", [True] * len(m["faces"]))
         placed = add(f"mesh{i}", data)
         if "motion" in m:
-            move(placed, m["motion"])
+            moves = m["motion"]
+            move(placed, moves["centre"], moves.get("by", (0, 0, 0)), moves.get("turn", 0))
     for i, l in enumerate(scene["lights"]):
         add_light(f"light{i}", l, profile)
     c = scene["camera"]
@@ -280,7 +283,10 @@ def build(scene, probe, profile, sun_colour):
         lens.dof.aperture_fstop = lens.lens * 1e-3 / (2 * radius)
     z = (up(c["position"]) - up(c["target"])).normalized()
     x = mathutils.Vector((0, 0, 1)).cross(z).normalized()
-    bpy.context.scene.camera = add("camera", lens, axes(x, z.cross(x), z, up(c["position"])))
+    placed = add("camera", lens, axes(x, z.cross(x), z, up(c["position"])))
+    bpy.context.scene.camera = placed
+    if "by" in c:
+        move(placed, c["position"], c["by"])
 
 
 def settings(scene, samples, seed, threads, noise):

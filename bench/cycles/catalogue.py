@@ -19,5 +19,5 @@ SCENES = {"cornell": scenes.cornell, "sky_room": scenes.sky_room, "sun_room": sc
           "park": everyday.park, "apartment": homes.apartment,
           "lamplit_apartment": homes.lamplit_apartment, "shop": homes.shop, "bedroom": homes.bedroom,
           "villa": homes.villa, "still_life": effects.still_life, "dusk": effects.dusk,
-          "fog": effects.fog, "mist": effects.mist, "moving": effects.moving,
+          "fog": effects.fog, "mist": effects.mist, "moving": effects.moving, "passing": effects.passing,
           "frosted": effects.frosted, "atrium": effects.atrium}

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Depth of field, bumps, brushed metal, rough glass, fog and mixed light, as data in the form of scenes.py.
 
-Further keys: `lens` of a camera (radius of the aperture, distance of the sharp plane); `fog` of a
-scene (extinction; all of it scatters, in a closed room); `motion` of a mesh while the shutter is open
-(`centre`, to which its vertices are relative, `by` a vector, `turn` in degrees about the vertical). Further materials: `frosted` glass;
-`brushed` metal, with the `ratio` of width to height of its highlights. `bump` of a glossy material:
-a picture, and the height of its white.
+Further keys: `lens` of a camera (radius of the aperture, distance of the sharp plane) and `by` (its way while
+the shutter is open); `fog` of a scene (extinction; all of it scatters, in a closed room); `motion` of a mesh
+while the shutter is open (`centre`, to which its vertices are relative, `by` a vector, `turn` in degrees about
+the vertical). Further materials: `frosted` glass; `brushed` metal, with the `ratio` of width to height of its
+highlights. `bump` of a glossy material: a picture, and the height of its white.
 """
 import math
 import random
@@ -164,3 +164,10 @@ def moving():
     sun = {"kind": "sun", "direction": (.3, -.7, .8), "albedo_one": 4.0}
     return {"meshes": meshes, "materials": {**materials(*DIFFUSE), **kinds}, "lights": [sun],
             "background": 1.0, "camera": camera((2.6, 1.7, 3.6), (-.6, 1.2, -.8), 1.5)}
+
+
+def passing():
+    """The workshop as a camera sees it that moves sideways and forward."""
+    scene = moving()
+    scene["camera"]["by"] = (-.25, .1, -.3)
+    return scene

@@ -214,7 +214,7 @@ def write_profile(path, candela):
 
 
 def moving(scene):
-    return any("motion" in m for m in scene["meshes"])
+    return "by" in scene["camera"] or any("motion" in m for m in scene["meshes"])
 
 
 def write(scene, path, probe, profile):
@@ -267,7 +267,11 @@ def write(scene, path, probe, profile):
             more += f'lens "mia_lens_bokeh" ( "plane" {plane}, "radius" {radius}, "samples" 1 ) '
         if "fog" in scene:
             more += f'volume "parti_volume" ( "scatter" 1 1 1, "extinction" {scene["fog"]} ) '
-        camera(f, world_to(x, cross(z, x), z, c["position"]), c["width"],
+        place = world_to(x, cross(z, x), z, c["position"])
+        if "by" in c:
+            end = tuple(p + d for p, d in zip(c["position"], c["by"]))
+            place += " motion " + world_to(x, cross(z, x), z, end)
+        camera(f, place, c["width"],
                (scenes.WIDTH, scenes.HEIGHT), more)
         f.write('instgroup "world" "cam_i" ' + " ".join(f'"{m}"' for m in members) +
                 ' end instgroup\nrender "world" "cam_i" "opt"\n')

@@ -19,7 +19,10 @@ struct OpeningRectangle {
   Vec3 inward{0, 0, 1};                  ///< unit normal on the side of the room
   /// The environment behind it, with axes along the edges and against `inward`; null = even.
   std::shared_ptr<const PortalTable> table = nullptr;
-  sampling::RectangleAxes axes = {};  ///< of the edges; set by Openings
+  // Set by Openings.
+  sampling::RectangleAxes axes = {};  ///< of the edges
+  Vec3 centre{0};
+  float area = 0, power = 0;  ///< power: area times mean luminance behind it
 };
 
 /// The rectangles of a scene's geometry, whatever its environment: without tables. Null = not
@@ -61,9 +64,8 @@ class Openings {
 
  private:
   float share(const OpeningRectangle& rectangle, const LitPoint& lit) const;
-  /// Inputs:  through(r, distance): density of wi through rectangle r, which it hits.
-  template <class F>
-  float pdf(const LitPoint& lit, float total, const Vec3& wi, F&& through) const;
+  /// The share of a rectangle times its density of the direction.
+  float density(const OpeningRectangle& rectangle, const LitPoint& lit, const Vec3& wi) const;
 
   std::vector<OpeningRectangle> rectangles_;
   OpeningSearch found_;

@@ -48,6 +48,11 @@ HUGE = 400000  # more pixels than memory holds
 RENDER = 'render "root" "cam_inst" "opt"\n'
 
 
+def options(samples):
+    """Long pictures learn nothing: one that is interrupted while it learns has no samples to save."""
+    return ["--samples", str(samples), *(["--no-guiding"] if samples == LONG else [])]
+
+
 def lamp(energy):
     return f'incremental light "lamp" "mib_light_point" ( "color" {energy} 1 1 ) origin 0 1 -3 end light\n'
 
@@ -100,11 +105,11 @@ class Slurm(unittest.TestCase):
 
     def submit(self, *words, samples=4, excluded=DOOMED):
         result = run(ORIEL, "submit", self.scene, "-o", self.output, "-q", "--sbatch=--exclude=" + excluded, *words,
-                     "--", "--samples", samples)
+                     "--", *options(samples))
         return result.stdout.split()[1].rstrip(":")  # "job 7: ..."
 
     def reference(self, samples=4, output="reference.exr"):
-        run(ORIEL, "render", self.scene, "-o", self.folder / output, "--samples", samples, "-q")
+        run(ORIEL, "render", self.scene, "-o", self.folder / output, *options(samples), "-q")
 
     def status(self):
         return json.loads(run(ORIEL, "status", self.job, "--json", check=False).stdout)
@@ -320,7 +325,7 @@ def run_cases(names):
         house = pathlib.Path(base, "house")
         house.mkdir()
         (house / "house.mi").write_text(SCENE + RENDER)
-        reference = subprocess.Popen([ORIEL, "render", "house.mi", "-o", "reference.exr", "--samples", str(LONG), "-q"],
+        reference = subprocess.Popen([ORIEL, "render", "house.mi", "-o", "reference.exr", *options(LONG), "-q"],
                                      cwd=house)
         run(FARM, "--folder", farm, "--nodes", NODES, "--while", os.getpid())
         environment = dict(os.environ, SLURM_CONF=farm + "/slurm.conf", ORIEL_SLURM_TEST=base)
