@@ -159,8 +159,8 @@ class LightSampler {
   // The environment
 
   const EnvironmentLight& environment() const { return environment_; }
-  /// For a vertex. `alone`: no BSDF sample is combined with its samples; otherwise those find an
-  /// even environment as well, which gets none, except through openings.
+  /// At a vertex. `alone`: no BSDF sample is combined with its samples. Otherwise BSDF samples find
+  /// an even environment, which then gets no samples of its own, except through openings.
   EnvironmentChances environment_chances(const LitVertex& at, bool after_diffuse, bool alone) const;
   /// A direction, or by chance none.
   std::optional<EnvironmentDirection> sample_environment(const LitVertex& at, Vec2 u,

@@ -23,7 +23,7 @@ sampling::Window window_of(const OpeningRectangle& r, const Vec3& from) {
   return PortalTable::window(x, x + r.axes.length_u, y, y + r.axes.length_v, dot(to, r.table->z()));
 }
 
-/// A direction through one rectangle, with its density among those.
+/// A direction through one rectangle, and its density among the directions through it.
 Openings::Sample direction_through(const OpeningRectangle& r, const Vec3& from, Vec2 u) {
   if (!has_table(r)) {
     const auto s = sampling::SphericalRectangle(from, r.corner, r.axes).sample(u);
@@ -34,7 +34,7 @@ Openings::Sample direction_through(const OpeningRectangle& r, const Vec3& from, 
   return {table.x() * s.local.x + table.y() * s.local.y + table.z() * s.local.z, s.pdf};
 }
 
-/// Density of a direction among those through one rectangle, which it hits at `distance`.
+/// Density of a direction among those through a rectangle, which it hits at `distance`.
 float density_through(const OpeningRectangle& r, const Vec3& from, const Vec3& wi, float distance) {
   if (!has_table(r)) return sampling::SphericalRectangle(from, r.corner, r.axes).pdf(wi, distance);
   const PortalTable& table = *r.table;
