@@ -24,6 +24,10 @@ def sub(a, b):
     return tuple(x - y for x, y in zip(a, b))
 
 
+def plus(a, b):
+    return tuple(x + y for x, y in zip(a, b))
+
+
 def dot(a, b):
     return sum(x * y for x, y in zip(a, b))
 
@@ -97,7 +101,7 @@ def moves(motion):
     """The places of an instance when the shutter opens and when it closes."""
     c, angle = motion["centre"], math.radians(motion.get("turn", 0))
     x, z = (math.cos(angle), 0, -math.sin(angle)), (math.sin(angle), 0, math.cos(angle))
-    end = tuple(a + b for a, b in zip(c, motion.get("by", (0, 0, 0))))
+    end = plus(c, motion.get("by", (0, 0, 0)))
     return (world_to((1, 0, 0), (0, 1, 0), (0, 0, 1), c) + " motion " +
             world_to(x, (0, 1, 0), z, end))
 
@@ -269,9 +273,7 @@ def write(scene, path, probe, profile):
             more += f'volume "parti_volume" ( "scatter" 1 1 1, "extinction" {scene["fog"]} ) '
         place = world_to(x, cross(z, x), z, c["position"])
         if "by" in c:
-            end = tuple(p + d for p, d in zip(c["position"], c["by"]))
-            place += " motion " + world_to(x, cross(z, x), z, end)
-        camera(f, place, c["width"],
-               (scenes.WIDTH, scenes.HEIGHT), more)
+            place += " motion " + world_to(x, cross(z, x), z, plus(c["position"], c["by"]))
+        camera(f, place, c["width"], (scenes.WIDTH, scenes.HEIGHT), more)
         f.write('instgroup "world" "cam_i" ' + " ".join(f'"{m}"' for m in members) +
                 ' end instgroup\nrender "world" "cam_i" "opt"\n')

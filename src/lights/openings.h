@@ -52,7 +52,7 @@ class Openings {
   /// What find_openings() found.
   const OpeningSearch& found() const { return found_; }
 
-  /// Sum of the estimates of irradiance; 0 if no rectangle lights the point.
+  /// Estimated irradiance of all rectangles at the point; 0 if none lights it.
   float total(const LitPoint& lit) const;
   struct Sample {
     Vec3 wi{0, 0, 1};
@@ -64,7 +64,7 @@ class Openings {
 
  private:
   float share(const OpeningRectangle& rectangle, const LitPoint& lit) const;
-  /// The share of a rectangle times its density of the direction.
+  /// share() times the density of the direction among those through the rectangle; 0 if it misses.
   float density(const OpeningRectangle& rectangle, const LitPoint& lit, const Vec3& wi) const;
 
   std::vector<OpeningRectangle> rectangles_;
