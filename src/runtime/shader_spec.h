@@ -162,6 +162,7 @@ struct StraightLight {
   Rgb all{0};         ///< weight of the lobes that transmit
   Rgb clear{0};       ///< the same of those that do not blur
   float opacity = 1;  ///< the rest passes holes
+  bool bounds_medium = false;  ///< whether light fades on one side of the surface
 };
 
 // Roles

@@ -62,9 +62,9 @@ const Material& shade_hit(const World& world, const ShadingPoint& point, const g
 }
 
 /// Collects the transparent blockers of a shadow ray in one traversal of the scene. Light that
-/// passes several is the same in any order, unless shadow shaders filter it. Blockers of constant
-/// transmission are evaluated after the traversal, since light that an opaque surface blocks does
-/// not need them.
+/// passes several is the same in any order, unless shadow shaders filter it or the segments between
+/// them absorb it. Blockers of constant transmission are evaluated after the traversal, since light
+/// that an opaque surface blocks does not need them.
 class BlockersInAnyOrder final : public geom::BlockTest {
  public:
   BlockersInAnyOrder(const World& world, const ShadingPoint& point, const geom::Ray& ray, int light)
@@ -81,9 +81,9 @@ class BlockersInAnyOrder final : public geom::BlockTest {
 
   /// Of all blockers; nothing if they have to be shaded in their order.
   std::optional<Transmittance> transmittance() {
-    if (in_order_) return std::nullopt;
-    for (int i = 0; i < waiting_count_; ++i)
+    for (int i = 0; i < waiting_count_ && !in_order_; ++i)
       if (!pass(waiting_[static_cast<std::size_t>(i)])) return kClosed;
+    if (in_order_) return std::nullopt;
     // In one order, so that sums round alike.
     const auto end = passed_.begin() + count_;
     std::sort(passed_.begin(), end, [](const Passed& a, const Passed& b) {
@@ -110,12 +110,14 @@ class BlockersInAnyOrder final : public geom::BlockTest {
   struct Blocker {
     Transmittance here;
     float offset, cosine;  ///< offset of rays that leave it; of the ray to the geometric normal
+    bool bounds_medium;    ///< whether light fades on one side of it
   };
   /// Records a blocker. False: no light passes.
   bool pass(geom::Hit hit) {
     world_.accel->refine(ray_, hit);
     const ShaderNode* by_angle = material_of(world_, hit).straight_by_angle;
     const Blocker at = by_angle ? unshaded(*by_angle, hit) : shaded(hit);
+    in_order_ |= at.bounds_medium && straight_rays_fade(world_.options);
     const Transmittance& here = at.here;
     if (max_component(here.all) <= 0 || count_ == kMaxShadowBlockers) return false;
     if (here.all == Rgb(1) && here.cut_outs == Rgb(1)) return true;
@@ -134,7 +136,7 @@ class BlockersInAnyOrder final : public geom::BlockTest {
     Closure closure;
     shade_hit(world_, point_, ray_, hit, light_, at, closure);
     return {straight_transmission(closure, world_.options), at.ray_offset,
-            dot(at.geometric_normal, ray_.dir)};
+            dot(at.geometric_normal, ray_.dir), !closure.thin_walled && !closure.inside.clear()};
   }
   Blocker unshaded(const ShaderNode& shader, const geom::Hit& hit) const {
     geom::SurfacePoint at;
@@ -142,9 +144,9 @@ class BlockersInAnyOrder final : public geom::BlockTest {
     const float cosine = dot(at.ng, ray_.dir);
     const Vec3 wo = -ray_.dir;
     const float seen = dot(facing_viewer(cosine > 0 ? -at.ns : at.ns, wo), wo);
-    return {straight_transmission(
-                shader.spec().material.straight(shader, world_, static_cast<int>(at.user), seen)),
-            at.offset, cosine};
+    const StraightLight light =
+        shader.spec().material.straight(shader, world_, static_cast<int>(at.user), seen);
+    return {straight_transmission(light), at.offset, cosine, light.bounds_medium};
   }
 
   const World& world_;
@@ -209,7 +211,7 @@ Transmittance shadow_transmittance(const World& world, const ShadingPoint& point
   geom::Ray ray = leave(point, wi, short_of_light(distance), geom::RayMask::Shadow);
   ++counts.shadow;
   if (!world.has_transparent_blockers) return world.accel->occluded(ray) ? kClosed : kOpen;
-  if (world.options.shadow != scene::ShadowMode::Segments && !world.has_object_volumes) {
+  if (!world.has_object_volumes) {
     ray.mask |= geom::RayMask::ShadowTransparent;
     BlockersInAnyOrder blockers(world, point, ray, light);
     if (world.accel->occluded(ray, geom::RayMask::ShadowTransparent, blockers)) return kClosed;

@@ -311,6 +311,7 @@ StraightLight mia_straight(const ShaderNode& node, const World& world, int insta
   light.all = mia_levels(p, clamp01(cosine), false).refraction;
   if (refracts_clearly(p, bsdf::gloss_to_roughness(p.refr_gloss, p.anisotropy)))
     light.clear = light.all;
+  light.bounds_medium = !thin_walled && !inside_of(p).clear();
   return light;
 }
 
