@@ -159,9 +159,9 @@ struct VolumeValue {
 
 /// Light that passes a surface straight, as shadow rays see it.
 struct StraightLight {
-  Rgb all{0};         ///< weight of the lobes that transmit
-  Rgb clear{0};       ///< the same of those that do not blur
-  float opacity = 1;  ///< the rest passes holes
+  Rgb all{0};                  ///< weight of the lobes that transmit
+  Rgb clear{0};                ///< the same of those that do not blur
+  float opacity = 1;           ///< the rest passes holes
   bool bounds_medium = false;  ///< whether light fades on one side of the surface
 };
 

@@ -69,9 +69,14 @@ class PhotonWalk {
   /// Whether the lobe may scatter the photon.
   bool is_caster(const Lobe& lobe, const ShadingPoint& point) const {
     if (!needs_caster()) return true;
-    if (is_delta(lobe.kind)) return (settings_.sharp->ways_of(light_) & kByMirror) != 0;
+    if (is_delta(lobe.kind)) return settings_.sharp->bring(light_, point.instance, kByMirror);
     return group_of(lobe.kind) == LobeGroup::Reflection &&
            settings_.sharp->bring(light_, point.instance, kByGloss);
+  }
+  /// Whether photons pass the transmitting lobes of the surface straight, as shadow rays do.
+  bool passes_straight(const Closure& closure, const Material& material) const {
+    return material.may_transmit && !material.filters_shadows() &&
+           !bends_light(closure, world_.options);
   }
   void stop() {
     log_.balance.stopped += precise(power());
@@ -80,7 +85,8 @@ class PhotonWalk {
   void pass_medium(const Medium& medium, float distance);
   bool pass_volume(const Vec3& end, float length);
   void store(const ShadingPoint& point, const Rgb& power);
-  float choose_lobes(const Closure& closure, const ShadingPoint& point, LobeChoice& choice) const;
+  float choose_lobes(const Closure& closure, const Material& material, const ShadingPoint& point,
+                     LobeChoice& choice) const;
   bool continue_path(const Closure& closure, const Material& material, const ShadingPoint& point,
                      bool seen);
   bool pass_filter(Closure& closure, const Material& material, ShadingPoint& point);
@@ -192,23 +198,21 @@ void PhotonWalk::store(const ShadingPoint& point, const Rgb& power) {
                                     source_.is_endless() ? -photon_.direction : photon_.origin));
 }
 
-/// Probability of each lobe: the share of power that it keeps. Returns their sum, at most 1.
-/// Where only caustics are wanted and glass is passed straight, its lobes have equal probabilities:
-/// the few percent that it reflects would else be found by few photons.
-float PhotonWalk::choose_lobes(const Closure& closure, const ShadingPoint& point,
-                               LobeChoice& choice) const {
+/// Probability of each lobe: the share of power that it keeps. Returns their sum, at most 1. The
+/// lobes of casters have equal ones, except glass that bends light: varnish reflects too little.
+float PhotonWalk::choose_lobes(const Closure& closure, const Material& material,
+                               const ShadingPoint& point, LobeChoice& choice) const {
   const Rgb now = power();
   const float most = max_component(now);
   float total = 0;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     if (lobe.controls.highlights_only || is_highlight(lobe.kind)) continue;
-    const bool straight = transmits(lobe.kind) && !bends_light(closure, world_.options);
+    const bool straight = transmits(lobe.kind) && passes_straight(closure, material);
     if (!is_caster(lobe, point) && !straight) continue;
     choice.rays[i] = std::max(0.0f, max_component(lobe.weight * now)) / most;
-    if (needs_caster() && is_delta(lobe.kind) && choice.rays[i] > 0 &&
-        !bends_light(closure, world_.options))
-      choice.rays[i] = 1;
+    const bool bends = is_delta(lobe.kind) && bends_light(closure, world_.options);
+    if (needs_caster() && choice.rays[i] > 0 && !bends) choice.rays[i] = 1;
     total += choice.rays[i];
   }
   if (total > 1) {
@@ -260,15 +264,14 @@ Rgb PhotonWalk::as_paths_see(const Material& material, const ShadingPoint& point
 bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
                                const ShadingPoint& point, bool seen) {
   LobeChoice choice;
-  const float survives = choose_lobes(closure, point, choice);
+  const float survives = choose_lobes(closure, material, point, choice);
   float u = sampler_.next_1d();
   const Vec2 u2 = sampler_.next_2d();
   if (!choice.any || u >= survives) return absorb(), false;
   const int index = choose_lobe(closure, choice, u);
   const LobeKind kind = closure.lobes[index].kind;
 
-  if (transmits(kind) && material.may_transmit && !material.filters_shadows() &&
-      !bends_light(closure, world_.options)) {
+  if (transmits(kind) && passes_straight(closure, material)) {
     Rgb through(0);
     float chance = 0;
     for (int i = 0; i < closure.count; ++i) {
@@ -285,12 +288,10 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
 
   if (!seen) return absorb(), false;
   const bool wanted = settings_.globillum || !is_diffuse(kind);
-  const CausticWay way = is_delta(kind) ? kByMirror : kByGloss;
-  const bool casts = needs_caster() ? settings_.sharp->bring(light_, point.instance, way)
-                                    : (visibility(point) & kCastsCaustics) != 0;
+  const bool casts = needs_caster() || (visibility(point) & kCastsCaustics) != 0;
   const bool through = transmits(kind) || kind == LobeKind::Translucency;
   // Paths sample the light at a glossy surface: the way from there has no bounce.
-  const bool sampled = needs_caster() && way == kByGloss;
+  const bool sampled = needs_caster() && !is_delta(kind);
   if ((!sampled && !count_bounce(through)) || !wanted || !casts) {
     stop();
     return false;

@@ -30,12 +30,12 @@ enum CausticWay : std::uint8_t {
 ///          and the environment through mirrors and glass, and sample lights on rough surfaces. A
 ///          light is missed by paths if rays of mirrors cannot hit it, or, with `caustic on`, if
 ///          its extent is small compared with the scene. An instance is a caster by mirror if its
-///          surface shader has a mirror or clear glass lobe of at least kLeastWeight at one of a
+///          surface shader has a mirror or clear glass lobe of at least kLeastMirror at one of a
 ///          few places, its flags allow caustics, and no photon shader replaces its material; by
-///          gloss if a narrow glossy lobe has that weight and light samples on it have no rules
+///          gloss if a narrow glossy lobe has kLeastGloss and light samples on it have no rules
 ///          that photons do not follow: lists of lights, surfaces without shadows, limited
 ///          reflections. Without `caustic on` photons pass glass straight, as rays do.
-/// Checked: CausticPictures.* in tests/cross_method
+/// Checked: SharpCaustics.*, CausticPictures.* in tests/cross_method
 class SharpCaustics {
  public:
   struct Sphere {
