@@ -71,7 +71,7 @@ constexpr int kPhotonsOfEstimate = 24;
 constexpr float kRadiusOfEstimate = 0.03f;
 /// Photons replace rays that find caustics if pilot paths gain at least this much. The gain does
 /// not count the time of photons and look-ups: paths of rooms take 1.2 to 1.5 times as long.
-constexpr float kWorthwhilePhotons = 1.5f;
+constexpr float kWorthwhilePhotons = 1.4f;
 
 PhotonSettings sharp_photon_settings(const World& world, const SharpCaustics& sharp,
                                      std::uint32_t seed) {
