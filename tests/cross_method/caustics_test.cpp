@@ -343,10 +343,6 @@ TEST(CausticPictures, PhotonsOfALargeLampKeepTheLightThatRaysFind) {
     expect_photons_keep_light(ball, options, .02, .004);
 }
 
-constexpr const char* kSatin =
-    "\"reflectivity\" .8, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1, "
-    "\"brdf_90_degree_refl\" 1, \"brdf_fresnel\" off, \"refl_gloss\" ";
-
 /// A room with two balls of satin metal, lit by `lamp`.
 SceneText satin_room(const std::string& options, const std::string& gloss, const std::string& lamp,
                      const std::string& flags = "") {
@@ -383,12 +379,6 @@ TEST(CausticPictures, PhotonsOfSmallLightsKeepTheLightOfSatinMetal) {
   expect_photons_keep_light(disc, "caustic on", .03, .002);
 }
 
-SceneText sunlit_room(const std::string& options) {
-  SceneText scene = room_with_window(options);
-  return scene.light("sun", "\"mia_physicalsun\" ( \"y_is_up\" on, \"haze\" 2 ) direction " +
-                                text_of(normalize(Vec3(-1, -.7f, -.2f))));
-}
-
 // Sunlit surfaces are sampled as lights, too; their glossy caustics belong to photons.
 // acceptance: Q3
 TEST(CausticPictures, PhotonsOfTheSunKeepTheLightOfSatinMetal) {
@@ -400,10 +390,6 @@ TEST(CausticPictures, PhotonsOfTheSunKeepTheLightOfSatinMetal) {
   };
   expect_photons_keep_light(sunlit, "caustic off", .06, .015);
 }
-
-constexpr const char* kVarnish =
-    "\"diffuse\" .2 .15 .1, \"reflectivity\" 1, \"brdf_fresnel\" on, \"refr_ior\" 1.5, "
-    "\"refl_gloss\" .3";
 
 // The varnish of a floor reflects a twentieth of the sun to walls, and more to grazing views.
 // acceptance: Q3

@@ -26,6 +26,14 @@ inline std::string physical(const std::string& color) {
   return "\"physical_light\" ( \"color\" " + color + " )";
 }
 
+/// Parameters of satin metal; its glossiness follows.
+inline constexpr const char* kSatin =
+    "\"reflectivity\" .8, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1, "
+    "\"brdf_90_degree_refl\" 1, \"brdf_fresnel\" off, \"refl_gloss\" ";
+inline constexpr const char* kVarnish =
+    "\"diffuse\" .2 .15 .1, \"reflectivity\" 1, \"brdf_fresnel\" on, \"refr_ior\" 1.5, "
+    "\"refl_gloss\" .3";
+
 /// A wall in the plane of one axis, as four strips around a rectangular hole.
 inline void wall_with_hole(SceneText& scene, const std::string& material, int axis, float at,
                            const Vec3& low, const Vec3& high, const Vec3& hole_low,
@@ -131,12 +139,13 @@ inline SceneText sky_portal() {
   return scene;
 }
 
-inline SceneText sun_window() {
-  SceneText scene = room_with_window();
-  scene.light("sun", "\"mia_physicalsun\" ( \"y_is_up\" on, \"haze\" 2 ) direction " +
-                         text_of(normalize(Vec3(-1, -.7f, -.2f))));
-  return scene;
+inline SceneText sunlit_room(const std::string& options = {}) {
+  SceneText scene = room_with_window(options);
+  return scene.light("sun", "\"mia_physicalsun\" ( \"y_is_up\" on, \"haze\" 2 ) direction " +
+                                text_of(normalize(Vec3(-1, -.7f, -.2f))));
 }
+
+inline SceneText sun_window() { return sunlit_room(); }
 
 /// Sun and sky through the window on a table, shelves with books and a thin partition: many edges,
 /// and things that are thinner than the disc of a photon estimate.

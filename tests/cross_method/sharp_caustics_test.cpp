@@ -12,15 +12,8 @@ namespace sharp_caustics_test {
 using testing::kUp;
 using testing::Probe;
 
-constexpr const char* kSatin =
-    "\"reflectivity\" .8, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1, "
-    "\"brdf_90_degree_refl\" 1, \"brdf_fresnel\" off, \"refl_gloss\" ";
-constexpr const char* kVarnish =
-    "\"diffuse\" .2 .15 .1, \"reflectivity\" 1, \"brdf_fresnel\" on, \"refr_ior\" 1.5, "
-    "\"refl_gloss\" .3";
-
 // Shadow rays do not pass glass without shadow shader, so that paths bring its light.
-TEST(SharpCaustics, DoNotPassFrostedGlassWithoutShadowShader) {
+TEST(SharpCaustics, PhotonsDoNotPassFrostedGlassWithoutShadowShader) {
   SceneText scene = SceneText("trace depth 8 8 12 caustic on");
   scene.lambert("white", .5f)
       .statement(

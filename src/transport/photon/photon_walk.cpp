@@ -198,8 +198,8 @@ void PhotonWalk::store(const ShadingPoint& point, const Rgb& power) {
                                     source_.is_endless() ? -photon_.direction : photon_.origin));
 }
 
-/// Probability of each lobe: the share of power that it keeps. Returns their sum, at most 1. The
-/// lobes of casters have equal ones, except glass that bends light: varnish reflects too little.
+/// Probability of each lobe: the share of power that it keeps; before a caster, equal ones except
+/// for glass that bends light, since varnish keeps little power. Returns their sum, at most 1.
 float PhotonWalk::choose_lobes(const Closure& closure, const Material& material,
                                const ShadingPoint& point, LobeChoice& choice) const {
   const Rgb now = power();

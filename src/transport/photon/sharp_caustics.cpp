@@ -18,8 +18,9 @@ namespace {
 /// Weight of a mirror or glass lobe from which on an instance casts caustics. Varnish and polished
 /// stone are below it: their caustics are weak, and with them everything in a room would cast some.
 constexpr float kLeastMirror = 0.1f;
-/// The same of glossy lobes: that of varnish, whose reflections of the sun are rare bright samples
-/// of paths. Without them an interior with a varnished floor has 1/24 of the squared error.
+/// The same of glossy lobes. That of varnish is above it: paths find its reflections of the sun as
+/// rare bright samples. With photons an interior with a varnished floor has 1/24 of the squared
+/// error.
 constexpr float kLeastGloss = 0.02f;
 /// Alpha up to which a glossy lobe is narrow: light samples on wider ones have little noise. A
 /// guess.

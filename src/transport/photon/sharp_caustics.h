@@ -32,8 +32,8 @@ enum CausticWay : std::uint8_t {
 ///          its extent is small compared with the scene. An instance is a caster by mirror if its
 ///          surface shader has a mirror or clear glass lobe of at least kLeastMirror at one of a
 ///          few places, its flags allow caustics, and no photon shader replaces its material; by
-///          gloss if a narrow glossy lobe has kLeastGloss and light samples on it have no rules
-///          that photons do not follow: lists of lights, surfaces without shadows, limited
+///          gloss if a narrow glossy lobe has at least kLeastGloss and light samples on it have no
+///          rules that photons do not follow: lists of lights, surfaces without shadows, limited
 ///          reflections. Without `caustic on` photons pass glass straight, as rays do.
 /// Checked: SharpCaustics.*, CausticPictures.* in tests/cross_method
 class SharpCaustics {
