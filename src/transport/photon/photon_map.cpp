@@ -209,14 +209,22 @@ void PhotonMap::estimate_at_places(const PhotonLookup& lookup) {
       if (radius2 > 0) estimates[i].irradiance = lookup.scale * sum * (1 / (kPi * radius2));
     }
   });
+  geom::Box3 box;
+  for (const Estimate& estimate : estimates) box.extendBy(estimate.position);
+  const Vec3 reach(kReachOfEstimates * lookup.radius);
+  nearest_ = box.isEmpty() ? PlaceTable()
+                           : PlaceTable({box.min - reach, box.max + reach},
+                                        kCellOfEstimates * lookup.radius, estimates.size());
   estimates_ = PlaceTree<Estimate>(std::move(estimates));
 }
 
 Rgb PhotonMap::coarse_irradiance(const Vec3& position, const Vec3& normal,
                                  const PhotonLookup& lookup) const {
-  NearestPlace nearest(kReachOfEstimates * lookup.radius);
-  estimates_.find(position, normal, nearest);
-  const auto found = nearest.found();
+  const auto found = nearest_.find(position, normal, [&](const Vec3& centre, const Vec3& facing) {
+    NearestPlace nearest(kReachOfEstimates * lookup.radius);
+    estimates_.find(centre, facing, nearest);
+    return nearest.found();
+  });
   return found ? estimates_.places()[*found].irradiance : Rgb(0);
 }
 

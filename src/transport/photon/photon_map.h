@@ -8,6 +8,7 @@
 
 #include "geom/mesh.h"
 #include "scene/render_options.h"
+#include "transport/photon/place_table.h"
 #include "transport/photon/place_tree.h"
 
 namespace oriel {
@@ -75,7 +76,7 @@ class PhotonMap {
 
   bool empty() const { return photons().empty(); }
   std::size_t size() const { return photons().size(); }
-  std::size_t bytes() const { return tree_.bytes() + estimates_.bytes(); }
+  std::size_t bytes() const { return tree_.bytes() + estimates_.bytes() + nearest_.bytes(); }
   const std::vector<Photon>& photons() const { return tree_.places(); }
 
   /// Writes the map to a CheckpointWriter, or reads it from a CheckpointReader.
@@ -98,12 +99,13 @@ class PhotonMap {
   /// Estimates the irradiance at half of the photons from the others, for coarse_irradiance().
   void estimate_at_places(const PhotonLookup& lookup);
   /// The estimate of the nearest of these places at most kReachOfEstimates radii away; black
-  /// without one. Several times as fast as irradiance(). No layers, filters and walls.
+  /// without one. Points of a cell of kCellOfEstimates radii get the same (PlaceTable). Many times
+  /// as fast as irradiance(). No layers, filters and walls.
   /// Source:  P. Christensen, "Faster Photon Map Global Illumination", Journal of Graphics Tools
   ///          4(3), 1999.
-  /// Checked: PhotonMap.CoarseEstimatesKeepTheMean
+  /// Checked: PhotonMap.CoarseEstimates*
   Rgb coarse_irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup) const;
-  static constexpr float kReachOfEstimates = 4;
+  static constexpr float kReachOfEstimates = 4, kCellOfEstimates = 0.5f;
   /// Radius of the disc of irradiance().
   float radius(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup) const;
   /// Multiplies the power of photon i, as photons() counts.
@@ -120,6 +122,7 @@ class PhotonMap {
   PlaceTree<Photon> tree_;
   std::vector<std::uint8_t> near_wall_;  // one for each photon; empty: unknown
   PlaceTree<Estimate> estimates_;        // empty: not made
+  PlaceTable nearest_;                   // of the estimates
 };
 
 /// Whether an opaque surface is between two points that lie as far above a surface.

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <optional>
 
+#include "base/parallel.h"
 #include "sampling/sampler.h"
 
 namespace oriel {
@@ -85,6 +88,79 @@ TEST(PhotonMap, CoarseEstimatesKeepTheMean) {
     EXPECT_NEAR(mean, 1, .034) << count;
   }
   EXPECT_EQ(map.coarse_irradiance(Vec3(0, 0, 1), kUp, {.count = 10, .radius = .03f}), Rgb(0));
+}
+
+TEST(PhotonMap, CoarseEstimatesAreThoseOfTheirSide) {
+  // Irradiance 2 from above on a floor, 1 from below at a ceiling close to it, and on two walls.
+  std::vector<Photon> photons;
+  const auto add = [&](std::vector<Photon> plane, float power, const auto& place) {
+    for (Photon& photon : plane) {
+      photon.power *= power;
+      place(photon);
+      photons.push_back(photon);
+    }
+  };
+  add(plane(20000), 1, [](Photon&) {});
+  add(plane(20000), .5f, [](Photon& p) {
+    p.position.z = -.02f;
+    p.normal = -kUp;
+  });
+  add(plane(20000), .25f, [](Photon& p) {
+    p.position = Vec3(3, p.position.x, p.position.y);
+    p.normal = Vec3(-1, 0, 0);
+  });
+  PhotonMap map(std::move(photons));
+  const PhotonLookup lookup{.count = 200, .radius = .1f};
+  map.estimate_at_places(lookup);
+  const auto mean = [&](const Vec3& normal, const auto& place) {
+    double sum = 0;
+    for (int i = -20; i <= 20; ++i)
+      for (int k = -20; k <= 20; ++k)
+        sum += map.coarse_irradiance(place(i * .04f, k * .04f), normal, lookup).y / (41 * 41);
+    return sum;
+  };
+  const auto floor = [](float x, float y) { return Vec3(x, y, 0); };
+  EXPECT_NEAR(mean(kUp, floor), 2, .1);
+  EXPECT_NEAR(mean(normalize(Vec3(.5f, 0, 1)), floor), 2, .1) << "slanted by 27 degrees";
+  EXPECT_NEAR(mean(-kUp, [](float x, float y) { return Vec3(x, y, -.02f); }), 1, .05);
+  const auto wall = [](float x, float y) { return Vec3(3, x, y); };
+  EXPECT_NEAR(mean(Vec3(-1, 0, 0), wall), .5, .025);
+  EXPECT_EQ(mean(Vec3(1, 0, 0), wall), 0);
+  EXPECT_EQ(map.coarse_irradiance(Vec3(0, 0, 9), kUp, lookup), Rgb(0)) << "outside of the table";
+}
+
+TEST(PlaceTable, AnswersAreThoseOfTheCell) {
+  // More cells than the table has room for; a search tells them apart, and half of the directions.
+  const geom::Box3 box(Vec3(-2, -1, 5), Vec3(2, 3, 8));
+  const auto search = [](const Vec3& centre, const Vec3& facing) -> std::optional<std::uint32_t> {
+    if (facing.z < 0) return std::nullopt;
+    const auto cell = [](float x) { return static_cast<std::uint32_t>((x + 2) * 25); };
+    return cell(centre.x) * 16384u + cell(centre.y) * 128u + cell(centre.z) % 128u;
+  };
+  for (const std::size_t places : {std::size_t(1000), std::size_t(1) << 22}) {
+    const PlaceTable table(box, .01f, places);
+    std::atomic<int> wrong = 0, found = 0;
+    for (int round = 0; round < 2; ++round)
+      parallel_for(64, [&](std::size_t part) {
+        for (int i = 0; i < 40000; ++i) {
+          sampling::Sampler random(static_cast<int>(part), i, 0);
+          const Vec2 a = random.next_2d(), b = random.next_2d();
+          const Vec3 position(-2 + 4 * a.x, -1 + 4 * a.y, 5 + 3 * b.x);
+          const Vec3 normal = b.y < .5f ? Vec3(0, 0, -1) : normalize(Vec3(b.y, a.y, 1));
+          const auto place = table.find(position, normal, search);
+          // The centre is at most half a cell of the search away along each axis.
+          const auto expected = search(position, normal);
+          wrong += place.has_value() != expected.has_value();
+          found += place.has_value();
+          if (place && expected)
+            for (const std::uint32_t unit : {16384u, 128u, 1u})
+              wrong += std::abs(int(*place / unit % 128) - int(*expected / unit % 128)) > 1;
+        }
+      });
+    EXPECT_EQ(wrong, 0) << places;
+    EXPECT_NEAR(found, 64 * 40000, 64 * 400) << places;
+    EXPECT_FALSE(table.find(Vec3(2.1f, 0, 6), kUp, search)) << "outside";
+  }
 }
 
 TEST(PhotonMap, FiltersDifferInBlurOnly) {
