@@ -103,15 +103,15 @@ class PlaceTable {
     const bool negative = normal[axis] < 0;
     Vec3 direction(0);
     direction[axis] = negative ? -1.0f : 1.0f;
-    std::uint64_t index = static_cast<std::uint64_t>(2 * axis + (negative ? 1 : 0));
+    int index = 2 * axis + (negative ? 1 : 0);
     for (int side = 1; side < 3; ++side) {
       const int other = (axis + side) % 3;
       const float place = normal[other] / size[axis];  // -1 to 1
       const int third = place < -1.0f / 3 ? 0 : place > 1.0f / 3 ? 2 : 1;
-      index = 3 * index + static_cast<std::uint64_t>(third);
+      index = 3 * index + third;
       direction[other] = static_cast<float>(third - 1) * (2.0f / 3);
     }
-    return {index + 1, normalize(direction)};
+    return {static_cast<std::uint64_t>(index + 1), normalize(direction)};
   }
 
   Vec3 low_{0}, last_{-1};  // last_: of the cells along each axis
