@@ -130,7 +130,8 @@ TEST(PhotonMap, CoarseEstimatesAreThoseOfTheirSide) {
 }
 
 TEST(PlaceTable, AnswersAreThoseOfTheCell) {
-  // More cells than the table has room for; a search tells them apart, and half of the directions.
+  // More cells than the table has room for. The search returns the coordinates of its point, and
+  // nothing for directions that point down.
   const geom::Box3 box(Vec3(-2, -1, 5), Vec3(2, 3, 8));
   const auto search = [](const Vec3& centre, const Vec3& facing) -> std::optional<std::uint32_t> {
     if (facing.z < 0) return std::nullopt;

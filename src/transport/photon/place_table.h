@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A table of the nearest places on surfaces, filled by the searches that were made.
+// A table of the nearest places on surfaces, filled by the searches of the first look-ups.
 #pragma once
 
 #include <algorithm>
@@ -15,19 +15,19 @@
 
 namespace oriel {
 
-/// The nearest places of the cells of a box, searched when a cell is asked for the first time.
+/// Stores the nearest place of each cell of a box: the first look-up in a cell searches for it.
 ///
 /// Model:   cells are cubes, with one answer for each of 54 directions of normals: those of the
 ///          3 x 3 squares on each side of a cube. The answer is that of the centres of cell and
-///          square, so it does not depend on who asks first. A hash table holds answers, each in
-///          one word; where its neighbourhood is full, every question is a search. Thread-safe.
+///          square, so it does not depend on which look-up is first. A hash table stores answers,
+///          each in one word; where its neighbourhood is full, look-ups search. Thread-safe.
 /// Checked: PlaceTable.*, PhotonMap.CoarseEstimates* in photon_map_test.cpp.
 class PlaceTable {
  public:
   PlaceTable() = default;
   /// Inputs:  box: outside of it there are no places. cell: side of a cell, scene units, above 0;
   ///          larger where the box has more than 4096 along an axis. places: their number; from
-  ///          2^22 - 1 on nothing is remembered.
+  ///          2^22 - 1 on nothing is stored.
   PlaceTable(const geom::Box3& box, float cell, std::size_t places) : low_(box.min) {
     const Vec3 size = box.size();
     cell_ = std::max(cell, std::max({size.x, size.y, size.z}) / (kCellsAlongAxis - 1));
