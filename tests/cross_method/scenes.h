@@ -26,7 +26,7 @@ inline std::string physical(const std::string& color) {
   return "\"physical_light\" ( \"color\" " + color + " )";
 }
 
-/// Parameters of satin metal; its glossiness follows.
+/// Parameters of satin metal, up to the value of its glossiness.
 inline constexpr const char* kSatin =
     "\"reflectivity\" .8, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1, "
     "\"brdf_90_degree_refl\" 1, \"brdf_fresnel\" off, \"refl_gloss\" ";

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "geom/mesh.h"
+#include "sampling/sampler.h"
 
 namespace oriel {
 
@@ -31,7 +32,6 @@ class PlaceTable {
   PlaceTable(const geom::Box3& box, float cell, std::size_t places) : low_(box.min) {
     const Vec3 size = box.size();
     cell_ = std::max(cell, std::max({size.x, size.y, size.z}) / (kCellsAlongAxis - 1));
-    last_ = Vec3(kCellsAlongAxis - 1);
     for (int i = 0; i < 3; ++i) last_[i] = std::floor(size[i] / cell_);
     if (places >= kMostPlaces) return;
     lines_ = std::make_unique<Line[]>(kLines);
@@ -55,19 +55,19 @@ class PlaceTable {
       centre[i] = low_[i] + (place + 0.5f) * cell_;
     }
     const Square square = square_of(normal);
-    if (!lines_) return search(centre, square.direction);
+    const auto searched = [&] { return search(centre, normalize(square.centre)); };
+    if (!lines_) return searched();
     block = block << kBitsOfSquare | square.index;
     const std::uint64_t key = (block << 3 | corner) << kBitsOfPlace;
     const auto answer = [&] {
-      const std::optional<std::uint32_t> found = search(centre, square.direction);
+      const std::optional<std::uint32_t> found = searched();
       return key | (found ? *found + 1 : 0);
     };
     const auto place_of = [&](std::uint64_t entry) -> std::optional<std::uint32_t> {
       const auto field = static_cast<std::uint32_t>(entry & kMostPlaces);
       return field == 0 ? std::nullopt : std::optional(field - 1);
     };
-    // The upper bits of the product depend on all bits of the block (Fibonacci hashing).
-    const std::uint64_t hash = block * 0x9e3779b97f4a7c15u >> 32;
+    const std::uint64_t hash = sampling::mix_bits(block);
     std::optional<std::uint64_t> mine;
     for (std::uint64_t probe = 0; probe < kProbes; ++probe) {
       std::atomic<std::uint64_t>& slot = lines_[(hash + probe) & (kLines - 1)].entries[corner];
@@ -83,8 +83,8 @@ class PlaceTable {
   }
 
  private:
-  static constexpr std::uint64_t kCellsAlongAxis = 4096;
   static constexpr int kBitsOfCell = 12, kBitsOfSquare = 6, kBitsOfPlace = 22;
+  static constexpr std::uint64_t kCellsAlongAxis = 1u << kBitsOfCell;
   static constexpr std::uint64_t kMostPlaces = (1u << kBitsOfPlace) - 1;
   static constexpr std::size_t kProbes = 8, kLines = 1u << 18;
 
@@ -95,23 +95,23 @@ class PlaceTable {
 
   struct Square {
     std::uint64_t index;  ///< 1 to 54, so that no entry is 0
-    Vec3 direction;       ///< unit, of its centre
+    Vec3 centre;          ///< on the cube from -1 to 1
   };
   static Square square_of(const Vec3& normal) {
     const Vec3 size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const bool negative = normal[axis] < 0;
-    Vec3 direction(0);
-    direction[axis] = negative ? -1.0f : 1.0f;
+    Vec3 centre(0);
+    centre[axis] = negative ? -1.0f : 1.0f;
     int index = 2 * axis + (negative ? 1 : 0);
     for (int side = 1; side < 3; ++side) {
       const int other = (axis + side) % 3;
       const float place = normal[other] / size[axis];  // -1 to 1
       const int third = place < -1.0f / 3 ? 0 : place > 1.0f / 3 ? 2 : 1;
       index = 3 * index + third;
-      direction[other] = static_cast<float>(third - 1) * (2.0f / 3);
+      centre[other] = static_cast<float>(third - 1) * (2.0f / 3);
     }
-    return {static_cast<std::uint64_t>(index + 1), normalize(direction)};
+    return {static_cast<std::uint64_t>(index + 1), centre};
   }
 
   Vec3 low_{0}, last_{-1};  // last_: of the cells along each axis
