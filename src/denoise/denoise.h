@@ -45,13 +45,14 @@ struct DenoiseOptions {
 /// Returns the denoised picture.
 ///
 /// Model:   first-order regression of colour on position, albedo, normal and depth in a window of
-///          19 x 19 pixels, weighted by the similarity of 7 x 7 patches (non-local means with noise
-///          cancellation). Each half of the samples is weighted by patches of the other half, so
-///          that weights are independent of the noise. Of two bandwidths each region uses the one
-///          that predicts the other half better. If only the variance is available, the picture is
-///          its own guide. The result is the input plus a correction, which is exactly 0 where the
-///          input is free of noise. Features are not denoised, so depth of field and motion blur
-///          must have converged in them.
+///          15 x 15 pixels, weighted by the similarity of 7 x 7 patches (non-local means with noise
+///          cancellation), of the picture and of those with half, a quarter... of its size, which
+///          remove stains that are larger than the window. Each half of the samples is weighted by
+///          patches of the other half, so that weights are independent of the noise. Of two
+///          bandwidths each region uses the one that predicts the other half better. If only the
+///          variance is available, the picture is its own guide. The result is the input plus a
+///          correction, which is exactly 0 where the input is free of noise. Features are not
+///          denoised, so depth of field and motion blur must have converged in them.
 /// Returns: as many channels as color; values that are not finite count as black. The result does
 ///          not depend on the number of threads.
 /// Errors:  std::runtime_error if sizes differ, colour is missing, or there is no noise estimate.

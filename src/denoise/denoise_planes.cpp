@@ -9,6 +9,7 @@
 
 #include "base/math.h"
 #include "base/parallel.h"
+#include "base/vec.h"
 
 namespace oriel::denoising {
 namespace {
@@ -132,6 +133,59 @@ Planes box_blur(const Planes& planes, int radius) {
     }
     for (int x = 0; x < planes.width; ++x) to[x] /= float(last - first + 1);
   });
+  return out;
+}
+
+Planes at_half_size(const Planes& planes) {
+  Planes out((planes.width + 1) / 2, (planes.height + 1) / 2, planes.count);
+  const std::size_t rows = std::size_t(out.height) * out.count;
+  parallel_for(rows, [&](std::size_t row) {
+    const int y = int(row % out.height), c = int(row / out.height);
+    const float* above = planes.row(c, 2 * y);
+    const float* below = planes.row(c, std::min(2 * y + 1, planes.height - 1));
+    float* to = out.row(c, y);
+    for (int x = 0; x < out.width; ++x) {
+      const int left = 2 * x, right = std::min(left + 1, planes.width - 1);
+      to[x] = (above[left] + above[right] + below[left] + below[right]) / 4;
+    }
+  });
+  return out;
+}
+
+Planes at_size(const Planes& half_size, int width, int height) {
+  // Of a pixel, those of half the size on both sides of its centre, and the weight of the second.
+  struct Around {
+    int first, second;
+    float weight;
+    Around(int at, int size)
+        : first(std::max((at - 1) >> 1, 0)),
+          second(std::min((at + 1) / 2, size - 1)),
+          weight(at % 2 == 0 ? 0.75f : 0.25f) {}
+  };
+  Planes out(width, height, half_size.count);
+  const std::size_t rows = std::size_t(height) * out.count;
+  parallel_for(rows, [&](std::size_t row) {
+    const int c = int(row / height);
+    const Around v(int(row % height), half_size.height);
+    const float* above = half_size.row(c, v.first);
+    const float* below = half_size.row(c, v.second);
+    float* to = out.row(c, int(row % height));
+    for (int x = 0; x < width; ++x) {
+      const Around u(x, half_size.width);
+      const float left = lerp(above[u.first], below[u.first], v.weight);
+      to[x] = lerp(left, lerp(above[u.second], below[u.second], v.weight), u.weight);
+    }
+  });
+  return out;
+}
+
+Noisy at_half_size(const Noisy& noisy) {
+  Noisy out;
+  out.mean = at_half_size(noisy.mean);
+  if (noisy.half.count) out.half = at_half_size(noisy.half);
+  out.variance = at_half_size(noisy.variance);
+  for (float& v : out.variance.values) v /= 4;  // the noise of pixels is independent
+  out.features = at_half_size(noisy.features);
   return out;
 }
 

@@ -37,6 +37,11 @@ void for_each_value(const Planes& planes, const F& f) {
 /// Means over squares of 2 radius + 1 pixels, clipped at the border.
 Planes box_blur(const Planes& planes, int radius);
 
+/// Means of squares of 2 x 2 pixels; at odd sides the last row or column counts twice.
+Planes at_half_size(const Planes& planes);
+/// A picture of half the size, enlarged to `width` x `height` by bilinear interpolation.
+Planes at_size(const Planes& half_size, int width, int height);
+
 /// Albedo 3, normal 3, logarithm of depth.
 inline constexpr int kFeatures = 7;
 
@@ -51,6 +56,8 @@ struct Noisy {
   std::vector<Planes> parts;  ///< 3 each: parts of the colour, not divided
 };
 
+/// Mean, halves, variance and features at half the size, for the regression.
+Noisy at_half_size(const Noisy& noisy);
 /// Reads colours, halves and variance: replaces values that are not finite.
 Noisy read_noisy(const DenoiseInput& input);
 /// Spreads the light of outliers, see oriel::spread_outliers(), and the same shares of the parts;
