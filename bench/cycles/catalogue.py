@@ -8,6 +8,7 @@ import hard
 import homes
 import interiors
 import scenes
+import venues
 
 SCENES = {"cornell": scenes.cornell, "sky_room": scenes.sky_room, "sun_room": scenes.sun_room,
           "glossy": scenes.glossy, "glass_shadows": functools.partial(scenes.glass, True),
@@ -20,4 +21,6 @@ SCENES = {"cornell": scenes.cornell, "sky_room": scenes.sky_room, "sun_room": sc
           "lamplit_apartment": homes.lamplit_apartment, "shop": homes.shop, "bedroom": homes.bedroom,
           "villa": homes.villa, "still_life": effects.still_life, "dusk": effects.dusk,
           "fog": effects.fog, "mist": effects.mist, "moving": effects.moving, "passing": effects.passing,
-          "frosted": effects.frosted, "atrium": effects.atrium}
+          "frosted": effects.frosted, "atrium": effects.atrium,
+          "gallery": venues.gallery, "lounge": venues.lounge, "blinds": venues.blinds,
+          "gems": venues.gems, "terrace": venues.terrace}
