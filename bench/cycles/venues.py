@@ -127,7 +127,8 @@ def terrace():
     for k in range(18):
         meshes.append(box("floor", (-3.6 + .42 * k, 2.75, -2.9), (-3.54 + .42 * k, 2.9, 2.2)))
     for x in (-3.6, 3.5):
-        meshes += [box("floor", (x, 0, 2.0), (x + .1, 2.6, 2.1)), box("floor", (-3.8, 2.6, 2.0), (3.8, 2.75, 2.1))]
+        meshes.append(box("floor", (x, 0, 2.0), (x + .1, 2.6, 2.1)))
+    meshes.append(box("floor", (-3.8, 2.6, 2.0), (3.8, 2.75, 2.1)))
     crowns = []
     for x, z in ((-3.2, 1.4), (3.1, .8), (-2.6, -2.2), (2.8, -2.0)):
         meshes.append(cylinder("brick", (x, .3, z), .3, .6, 32))
