@@ -81,7 +81,8 @@ using Corrections = std::array<Planes, kBandwidths>;
 ///
 /// Model:   a window leaves slow variations of the noise, which show as stains on walls. In the
 ///          picture at half the size, filtered likewise, they are averaged over twice the distance.
-///          The difference of its correction is added, up to kMostResidue.
+///          The difference between its correction and that of the picture is added to the latter,
+///          up to kMostResidue.
 /// Source:  the scales: M. Delbracio, P. Muse, A. Buades, J. Chauvier, N. Phelps, J.-M. Morel,
 ///          "Boosting Monte Carlo Rendering by Ray Histogram Fusion", TOG 33(1), 2014, without
 ///          limits.
@@ -133,7 +134,7 @@ class Filter {
     });
     return out;
   }
-  /// Adds to a correction what that at half the size differs from it.
+  /// Adds the difference between the correction at half the size and this one.
   void add_residue(const Planes& of_half_size, Planes& correction) const {
     Planes residue = denoising::at_half_size(correction);
     for_each_value(residue, [&](std::size_t i) {
