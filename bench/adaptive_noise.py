@@ -99,7 +99,7 @@ def measure(args, program, scene, target, folder):
     count = max(round(samples), 1)
     for seed in range(1, seeds + 1):
         plain.append(render(program, scene, size, f"{folder}/a.exr", "--samples", str(count),
-                            "--seed", str(seed))[0])
+                            "--even-samples", "--seed", str(seed))[0])
     converged, most = reference_of(program, scene, size, max(REFERENCE * count, 256),
                                    args.keep or folder)
     uniform2 = numpy.mean([error2(p, converged) for p in plain]) / (1 + count / most)

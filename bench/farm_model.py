@@ -48,7 +48,8 @@ def fit(counts, sums):
 
 
 def measure(program, scene, size, samples, folder):
-    options = ["--size", size, "--samples", samples, "--json", "--threads", 1]  # idle threads use processor time
+    options = ["--size", size, "--samples", samples, "--even-samples", "--json",
+               "--threads", 1]  # idle threads use processor time
     sums, rays, tails = {}, {}, {}
     maps = ["--maps", f"{folder}/maps"]
     maps_time, maps_rays = work_of([program, "render", scene, "-o", f"{folder}/0.exr", *options,

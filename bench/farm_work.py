@@ -4,7 +4,7 @@
 
     bench/farm_work.py SCENE [--oriel PROGRAM] [--parts N] [--ranks 1,2,4,8] [-- RENDER OPTIONS]
 
-Parts: rays of the costliest part, relative to the mean of all parts.
+Parts: rays of the costliest part, relative to the mean of all parts; with --even-samples, of all samples.
 Ranks: processor time, its share of samples and of the start of the ranks (scene, MPI, maps), and the work of one
 process relative to it; memory of the ranks.
 """

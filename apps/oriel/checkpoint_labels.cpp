@@ -65,6 +65,7 @@ CheckpointLabels option_labels(const RenderArguments& a) {
           {"--camera", a.camera},
           {"--frames", a.frames},
           {"--samples", a.samples ? fmt::format("{}", *a.samples) : ""},
+          {"--even-samples", a.even_samples ? "on" : "off"},
           {"--noise", a.noise ? fmt::format("{}", *a.noise) : ""},
           {"--size", a.size},
           {"--crop", a.crop},
@@ -83,6 +84,7 @@ void add_session_labels(const RenderSession& session, CheckpointLabels& labels) 
   const Window& w = session.window();
   const IndirectPlan plan = plan_indirect(world.options);
   labels["--samples"] = fmt::format("{}", budget.max_samples);
+  labels["--even-samples"] = budget.distributed ? "off" : "on";
   labels["samples min"] = fmt::format("{}", budget.min_samples);
   labels["--noise"] =
       fmt::format("{}{}", budget.noise, budget.every_pixel ? " in every pixel" : "");

@@ -48,6 +48,7 @@ void expect_inside(const Pixel& p, const Camera& camera) {
 int run_explain(ExplainArguments& a) {
   RenderArguments& r = a.render;
   const Pixel pixel = parse_pixel(a.pixel);
+  r.even_samples = true;
   RenderPlan plan = render_plan(r);
   if (!r.samples) plan.session.budget.samples = kSamples;
   const ThreadLimit limit(r.threads);

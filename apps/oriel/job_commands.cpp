@@ -101,7 +101,7 @@ int work_on_all(const farm::Job& job) {
   for (;;) {
     for (const int task : farm::missing_tasks(job))
       if (const int status = farm::work_task(job, task); status == farm::kStopped) return status;
-    // A noise target may ask for another round.
+    // Noisy pixels may need another round.
     if (const int status = farm::work_merge(job, false); status != farm::kStopped) return status;
   }
 }

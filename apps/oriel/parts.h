@@ -5,9 +5,9 @@
 //   The parts of the picture NAME.exr are the files NAME.part-K-of-N, checkpoints without caches of
 //   indirect light. Names of labels that begin with "at " say where in the render a file is; all
 //   others identify the render and are the same in all its parts.
-//   Rounds: with a noise target, samples depend on the whole picture. When all parts have the same
-//   number of rounds, `oriel merge` decides on the next one and writes NAME.round, which contains
-//   the number of samples that each pixel has to reach.
+//   Rounds: with a noise target or distributed samples, the samples of a pixel depend on the whole
+//   picture. When all parts have the same number of rounds, `oriel merge` decides on the next one
+//   and writes NAME.round, which contains the number of samples that each pixel has to reach.
 #pragma once
 
 #include <memory>

@@ -171,7 +171,11 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
          "frame number: out.####.exr; without #, the second frame is out.0002.exr")
       ->allow_extra_args(false)
       ->type_name("FILE");
-  app->add_option("--samples", a->samples, "Samples per pixel (default: from the scene)");
+  app->add_option("--samples", a->samples,
+                  "Samples per pixel (default: from the scene). From 32 samples and 256x256 pixels "
+                  "on, the mean of the picture: every pixel gets half of them, noisy pixels the "
+                  "rest");
+  app->add_flag("--even-samples", a->even_samples, "Every pixel gets all of --samples");
   app->add_option("--noise", a->noise,
                   "Stop when the estimated noise of the picture is below this, e.g. 0.02");
   app->add_option("--time", a->time,

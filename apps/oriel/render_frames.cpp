@@ -248,8 +248,8 @@ class FrameRenderer {
       print_json({{"event", "round"}, {"file", merged.round}, {"samples", merged.samples}});
     else if (!a_.quiet)
       fmt::print(stderr,
-                 "{}: the noise target needs another round, to {:.4g} samples; render all parts "
-                 "again, then merge\n",
+                 "{}: noisy pixels need another round, to {:.4g} samples on average; render all "
+                 "parts again, then merge\n",
                  merged.round, merged.samples);
     end_shaders();
     return false;

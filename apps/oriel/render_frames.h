@@ -42,7 +42,7 @@ struct RenderArguments {
   bool live = false;  ///< passes are written to the files themselves
   bool denoise = false, linear = false, json = false, quiet = false;
   std::string denoiser;  ///< see denoiser_of()
-  bool keep_outliers = false, no_guiding = false;
+  bool keep_outliers = false, no_guiding = false, even_samples = false;
   float clamp = 0;  ///< SessionSettings::clamp
   std::string exr;  ///< precision and compression of EXR files
   bool timestamps = false;

@@ -150,7 +150,7 @@ RenderPlan render_plan(const RenderArguments& a) {
         "ORIEL_OIDN_LIBRARY to its path");
   if (a.denoise && a.samples && *a.samples < 2)
     throw UsageError("--denoise requires at least 2 samples to estimate the noise");
-  plan.session.budget = {a.samples, a.noise, a.time};
+  plan.session.budget = {a.samples, a.noise, a.time, !a.even_samples};
   plan.session.seed = a.seed;
   for (const std::string& output : a.outputs) {
     const fs::path folder = fs::path(output).parent_path();

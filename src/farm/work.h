@@ -22,10 +22,10 @@ int work_task(const Job& job, int task);
 int work_maps(const Job& job, int frame_index);
 
 /// Checks that all units are done and merges the parts of frames. If units are missing and the job
-/// may retry, submits them again, followed by another merge; also if the merge of a frame with a
-/// noise target asks for another round of its parts. Returns 0 if all pictures exist or the units
-/// were submitted again, kStopped if units are to be rendered again but may not be submitted, 1
-/// otherwise.
+/// may retry, submits them again, followed by another merge; also if the merge of a frame whose
+/// samples depend on noise asks for another round of its parts. Returns 0 if all pictures exist or
+/// the units were submitted again, kStopped if units are to be rendered again but may not be
+/// submitted, 1 otherwise.
 int work_merge(const Job& job, bool may_submit);
 
 /// Submits tasks and a merge after them. Returns the id of the array.

@@ -54,26 +54,51 @@ AllocationSums sums_for(const std::vector<PixelDemand>& pixels, double factor,
   return sum;
 }
 
-/// Means over windows of a row or column, clipped at its ends.
-void blur_line(const float* from, float* to, int count, std::size_t step, int radius) {
+/// Sums over windows of a row or column, clipped at its ends.
+void sum_windows(const float* from, float* to, int count, std::size_t step, int radius) {
   for (int i = 0; i < count; ++i) {
     const int first = std::max(i - radius, 0), last = std::min(i + radius, count - 1);
     float sum = 0;
     for (int k = first; k <= last; ++k) sum += from[static_cast<std::size_t>(k) * step];
-    to[static_cast<std::size_t>(i) * step] = sum / static_cast<float>(last - first + 1);
+    to[static_cast<std::size_t>(i) * step] = sum;
   }
+}
+
+/// Replaces values by mean(value, sum over the square, number of pixels in it).
+template <class Mean>
+void replace_by_squares(std::vector<float>& values, int width, int height, int radius,
+                        const Mean& mean) {
+  const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
+  std::vector<float> across(values.size()), sums(values.size());
+  parallel_for(rows, [&](std::size_t y) {
+    sum_windows(&values[y * columns], &across[y * columns], width, 1, radius);
+  });
+  parallel_for(columns,
+               [&](std::size_t x) { sum_windows(&across[x], &sums[x], height, columns, radius); });
+  const auto length = [radius](std::size_t at, int count) {
+    const int i = static_cast<int>(at);
+    return std::min(i + radius, count - 1) - std::max(i - radius, 0) + 1;
+  };
+  parallel_for(rows, [&](std::size_t y) {
+    for (std::size_t x = 0; x < columns; ++x) {
+      const std::size_t i = y * columns + x;
+      values[i] = mean(values[i], sums[i], length(x, width) * length(y, height));
+    }
+  });
 }
 
 }  // namespace
 
 void blur_square(std::vector<float>& values, int width, int height, int radius) {
-  const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
-  std::vector<float> across(values.size());
-  parallel_for(rows, [&](std::size_t y) {
-    blur_line(&values[y * columns], &across[y * columns], width, 1, radius);
+  replace_by_squares(values, width, height, radius,
+                     [](float, float sum, int pixels) { return sum / static_cast<float>(pixels); });
+}
+
+void average_neighbours(std::vector<float>& values, int width, int height, int radius) {
+  replace_by_squares(values, width, height, radius, [](float own, float sum, int pixels) {
+    // The difference may be below 0 by rounding.
+    return pixels > 1 ? std::max(sum - own, 0.0f) / static_cast<float>(pixels - 1) : own;
   });
-  parallel_for(columns,
-               [&](std::size_t x) { blur_line(&across[x], &values[x], height, columns, radius); });
 }
 
 std::vector<std::uint32_t> allocate_samples(const std::vector<PixelDemand>& pixels,

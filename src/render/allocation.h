@@ -39,4 +39,7 @@ std::vector<std::uint32_t> allocate_samples(const std::vector<PixelDemand>& pixe
 /// Means over the square of 2 radius + 1 pixels around each pixel, clipped at the borders.
 void blur_square(std::vector<float>& values, int width, int height, int radius);
 
+/// The same without the pixel itself; its value if there are no others.
+void average_neighbours(std::vector<float>& values, int width, int height, int radius);
+
 }  // namespace oriel

@@ -95,5 +95,20 @@ TEST(BlurSquare, AveragesTheWindowInsideThePicture) {
     }
 }
 
+TEST(AverageNeighbours, LeavesOutThePixelAndWhatIsOutsideThePicture) {
+  std::vector<float> values(7 * 5);
+  values[2 * 7 + 0] = 40;  // x 0, y 2
+  average_neighbours(values, 7, 5, 1);
+  for (int y = 0; y < 5; ++y)
+    for (int x = 0; x < 7; ++x) {
+      const bool near = x <= 1 && std::abs(y - 2) <= 1 && (x != 0 || y != 2);
+      const float expected = near ? 40.0f / (x == 0 ? 5 : 8) : 0;
+      EXPECT_FLOAT_EQ(values[static_cast<std::size_t>(y * 7 + x)], expected) << x << ' ' << y;
+    }
+  std::vector<float> lone{3};
+  average_neighbours(lone, 1, 1, 5);
+  EXPECT_EQ(lone[0], 3);
+}
+
 }  // namespace allocation_test
 }  // namespace oriel

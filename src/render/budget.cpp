@@ -6,6 +6,9 @@
 namespace oriel {
 namespace {
 
+/// With fewer samples the noise of pixels is known too little when the first half is drawn.
+constexpr std::uint32_t kFewestDistributed = 2 * kMinJudgedSamples;
+
 /// 4^level, within what a pixel can be worth.
 std::uint32_t samples_of_level(int level) { return 1u << (2 * std::clamp(level, 0, 9)); }
 
@@ -19,6 +22,8 @@ RenderBudget render_budget(const scene::RenderOptions& options, const BudgetRequ
     budget.max_samples = std::clamp(request.samples.value_or(most), 1u, kMaxSamples);
     budget.noise = std::max(request.noise.value_or(0.0f), 0.0f);
     budget.seconds = std::max(request.seconds.value_or(0.0), 0.0);
+    budget.distributed = request.distributes && request.samples && !(budget.noise > 0) &&
+                         budget.max_samples >= kFewestDistributed;
     return budget;
   }
   const std::uint32_t most = samples_of_level(options.samples_max) * kPathSamplesPerSceneSample;

@@ -36,7 +36,24 @@ constexpr double kLeastPassGrowth = 1.0625;
 /// fewer samples than the pixel gets.
 constexpr std::uint32_t kPixelGrowth = 2;
 
+/// The most samples of a pixel when they are distributed, as a multiple of their mean.
+constexpr std::uint32_t kMostOfDistributed = 4;
+
+/// Least variance of a pixel for the distribution, relative to the mean: neighbours without noise
+/// may have missed rare light.
+constexpr double kLeastVariance = 1e-3;
+
 }  // namespace
+
+std::uint32_t RenderBudget::even_samples() const {
+  if (!distributed) return max_samples;
+  // Half of them, in whole blocks as in next_pass_target().
+  return std::max(max_samples / 2 / kMinJudgedSamples, 1u) * kMinJudgedSamples;
+}
+
+std::uint32_t RenderBudget::pixel_samples() const {
+  return distributed ? kMostOfDistributed * max_samples : max_samples;
+}
 
 float relative_noise(float error, const Film::Estimate& estimate, float picture) {
   if (!(error > 0)) return 0;
@@ -132,10 +149,11 @@ bool Progressive::out_of_time() const {
 
 bool Progressive::restore(State state) {
   if (state.targets.size() != film_.pixel_count() || state.pass < 0 || !(state.elapsed >= 0) ||
-      !film_.is_valid(budget_.max_samples))
+      !film_.is_valid(budget_.pixel_samples()))
     return false;
   for (std::size_t i = 0; i < state.targets.size(); ++i)
-    if (state.targets[i] > budget_.max_samples || film_.samples(i) > state.targets[i]) return false;
+    if (state.targets[i] > budget_.pixel_samples() || film_.samples(i) > state.targets[i])
+      return false;
   state_ = std::move(state);
   elapsed_elsewhere_ = state_.elapsed;
   return true;
@@ -144,7 +162,7 @@ bool Progressive::restore(State state) {
 bool Progressive::raise_targets(const std::vector<std::uint32_t>& targets) {
   if (targets.size() != film_.pixel_count()) return false;
   for (const std::uint32_t i : pixels_)
-    if (targets[i] < film_.samples(i) || targets[i] > budget_.max_samples) return false;
+    if (targets[i] < film_.samples(i) || targets[i] > budget_.pixel_samples()) return false;
   for (const std::uint32_t i : pixels_) state_.targets[i] = targets[i];
   return true;
 }
@@ -163,15 +181,28 @@ bool Progressive::must_stop(const Callbacks& callbacks, const std::atomic<bool>*
 
 /// The squared noise of one sample in the neighbourhood of each pixel, by one of the errors.
 std::vector<float> Progressive::pooled_variance(const std::vector<Film::Estimate>& estimates,
-                                                float Film::Estimate::*error) const {
+                                                float Film::Estimate::*error, Pool pool) const {
   const float picture = picture_brightness(estimates);
   std::vector<float> variance(estimates.size());
   for (std::size_t i = 0; i < variance.size(); ++i) {
     const float noise = relative_noise(estimates[i].*error, estimates[i], picture);
     variance[i] = sqr(std::min(noise, kMaxPixelNoise)) * static_cast<float>(film_.samples(i));
   }
-  blur_square(variance, film_.width(), film_.height(), kJudgedRadius);
+  pool(variance, film_.width(), film_.height(), kJudgedRadius);
   return variance;
+}
+
+/// Two independent estimates: the changes measure the gain of evenly spread samples, the standard
+/// errors are more certain. By the changes alone, pixels whose change is small by chance would
+/// keep it until they double, and the noise of the picture would be estimated too small.
+std::vector<PixelDemand> Progressive::demands(const std::vector<Film::Estimate>& estimates,
+                                              Pool pool) const {
+  const std::vector<float> changes = pooled_variance(estimates, &Film::Estimate::doubling, pool);
+  const std::vector<float> spread = pooled_variance(estimates, &Film::Estimate::error, pool);
+  std::vector<PixelDemand> pixels(changes.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    pixels[i] = {film_.samples(i), std::sqrt(changes[i] * spread[i])};
+  return pixels;
 }
 
 /// The next pass of a picture whose noise has a target.
@@ -181,17 +212,11 @@ void Progressive::plan_for_picture(Plan& plan, const std::vector<Film::Estimate>
     plan.stop = StopReason::Noise;
     return;
   }
-  // Two independent estimates: the changes measure the gain of evenly spread samples, the standard
-  // errors are more certain. By the changes alone, pixels whose change is small by chance would
-  // keep it until they double, and the noise of the picture would be estimated too small.
-  const std::vector<float> changes = pooled_variance(estimates, &Film::Estimate::doubling);
-  const std::vector<float> spread = pooled_variance(estimates, &Film::Estimate::error);
-  std::vector<PixelDemand> pixels(changes.size());
+  const std::vector<PixelDemand> pixels = demands(estimates, blur_square);
   double present = 0, drawn = 0;  // double: millions of terms
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    pixels[i] = {film_.samples(i), std::sqrt(changes[i] * spread[i])};
-    present += double{pixels[i].variance} / pixels[i].samples;
-    drawn += pixels[i].samples;
+  for (const PixelDemand& pixel : pixels) {
+    present += double{pixel.variance} / pixel.samples;
+    drawn += pixel.samples;
   }
   // The demands are relative; noise and target give their scale.
   const double target2 = present * sqr(budget_.noise / noise) / static_cast<double>(pixels.size());
@@ -211,7 +236,8 @@ void Progressive::plan_for_picture(Plan& plan, const std::vector<Film::Estimate>
 void Progressive::plan_for_pixels(Plan& plan, const std::vector<Film::Estimate>& estimates) const {
   const float picture = picture_brightness(estimates), target2 = sqr(budget_.noise);
   const float gain2 = sqr(convergence_gain(estimates, picture));
-  const std::vector<float> variance = pooled_variance(estimates, &Film::Estimate::doubling);
+  const std::vector<float> variance =
+      pooled_variance(estimates, &Film::Estimate::doubling, blur_square);
   plan.stop = StopReason::Noise;
   for (std::size_t i = 0; i < variance.size(); ++i) {
     const std::uint32_t n = film_.samples(i);
@@ -226,17 +252,41 @@ void Progressive::plan_for_pixels(Plan& plan, const std::vector<Film::Estimate>&
   }
 }
 
+/// The last pass of a picture whose samples are distributed. The samples of a pixel do not depend
+/// on its own noise: pixels that lack a rare bright sample would stay too dark.
+void Progressive::plan_second_half(Plan& plan, const std::vector<Film::Estimate>& estimates) const {
+  std::vector<PixelDemand> pixels = demands(estimates, average_neighbours);
+  double sum = 0, drawn = 0;  // double: millions of terms
+  for (const PixelDemand& pixel : pixels) sum += pixel.variance, drawn += pixel.samples;
+  const auto count = static_cast<double>(pixels.size());
+  const float least =
+      std::max(static_cast<float>(kLeastVariance * sum / count), std::numeric_limits<float>::min());
+  for (PixelDemand& pixel : pixels) pixel.variance = std::max(pixel.variance, least);
+  const double all = budget_.max_samples * count;
+  plan.targets = allocate_samples(pixels, {.growth = all / drawn,
+                                           .pixel_growth = budget_.pixel_samples(),
+                                           .max_samples = budget_.pixel_samples()});
+  plan.missing = all - drawn;
+}
+
 Progressive::Plan Progressive::plan(const std::vector<Film::Estimate>& estimates,
                                     float noise) const {
   Plan plan;
   plan.targets.resize(film_.pixel_count());
-  std::uint32_t lowest = pixels_.empty() ? 0 : budget_.max_samples;
+  const std::uint32_t even = budget_.even_samples();
+  std::uint32_t lowest = pixels_.empty() ? 0 : even, highest = 0;
   for (const std::uint32_t i : pixels_) {
     plan.targets[i] = film_.samples(i);
     lowest = std::min(lowest, plan.targets[i]);
+    highest = std::max(highest, plan.targets[i]);
   }
-  if (lowest >= budget_.max_samples) {
-    plan.stop = StopReason::Samples;
+  if (lowest >= even) {
+    if (!budget_.distributed || (is_whole_ && highest > even))
+      plan.stop = StopReason::Samples;
+    else if (is_whole_)
+      plan_second_half(plan, estimates);
+    else
+      plan.stop = StopReason::Part;
     return plan;
   }
   const bool judged = budget_.noise > 0 && lowest >= kMinSplitSamples;
@@ -252,7 +302,7 @@ Progressive::Plan Progressive::plan(const std::vector<Film::Estimate>& estimates
     return plan;
   }
   plan.stop.reset();
-  const std::uint32_t next = std::min(next_pass_target(lowest), budget_.max_samples);
+  const std::uint32_t next = std::min(next_pass_target(lowest), even);
   for (const std::uint32_t i : pixels_) plan.targets[i] = std::max(film_.samples(i), next);
   return plan;
 }

@@ -20,14 +20,24 @@ inline constexpr std::uint32_t kMinJudgedSamples = 16;
 
 /// Stop criteria; the first that is met ends the render.
 struct RenderBudget {
-  std::uint32_t max_samples = 64;  ///< per pixel
+  std::uint32_t max_samples = 64;  ///< per pixel, see `distributed`
   std::uint32_t min_samples = kMinJudgedSamples;
   float noise = 0;  ///< target of picture_noise(); 0 = none
   /// The noise target applies to every pixel instead of the picture.
   bool every_pixel = false;
+  /// max_samples is the mean of all pixels: the second half of the samples goes to the pixels where
+  /// they reduce the noise most. Without a noise target.
+  bool distributed = false;
   double seconds = 0;  ///< ends a render after its first pass; 0 = no limit
   bool operator==(const RenderBudget&) const = default;
+
+  /// Samples that every pixel gets.
+  std::uint32_t even_samples() const;
+  /// The most that a pixel gets.
+  std::uint32_t pixel_samples() const;
 };
+
+struct PixelDemand;
 
 /// MapsOnly: there is no picture, since the options request caches of indirect light only. Part:
 /// the further samples of a part depend on the pixels of the other parts.
@@ -54,6 +64,8 @@ struct Progress {
 ///          ends when the noise of the picture is below the target. With
 ///          RenderBudget::every_pixel, passes take the pixels whose noise is above the target
 ///          to the next n_k, and the render ends when no pixel is above it.
+///          With RenderBudget::distributed and without a noise target, the last pass distributes
+///          the second half of the samples likewise, by the noise of the pixels around each pixel.
 ///          All this is decided between passes from the film alone, so the picture is the same for
 ///          any number of threads.
 ///          A part of a picture draws the samples of its tiles. Passes with a noise target depend
@@ -162,12 +174,16 @@ class Progressive {
   void plan_for_picture(Plan& plan, const std::vector<Film::Estimate>& estimates,
                         float noise) const;
   void plan_for_pixels(Plan& plan, const std::vector<Film::Estimate>& estimates) const;
+  void plan_second_half(Plan& plan, const std::vector<Film::Estimate>& estimates) const;
+  /// blur_square() or average_neighbours().
+  using Pool = void (*)(std::vector<float>& values, int width, int height, int radius);
+  std::vector<PixelDemand> demands(const std::vector<Film::Estimate>& estimates, Pool pool) const;
   std::optional<StopReason> begin_pass();
   void render_tile(int tile, const std::function<std::uint64_t(const Row&)>& render_row,
                    const Callbacks& callbacks, const std::atomic<bool>* cancel);
   void estimate(double seconds_of_run, double samples_of_run);
   std::vector<float> pooled_variance(const std::vector<Film::Estimate>& estimates,
-                                     float Film::Estimate::*error) const;
+                                     float Film::Estimate::*error, Pool pool) const;
   double mean_samples() const;
   double done_share(double mean_samples) const;
   bool pass_is_complete() const;

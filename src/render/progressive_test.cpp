@@ -240,24 +240,94 @@ TEST(Progressive, WithoutTargetEveryPixelGetsTheRequestedSamples) {
   }
 }
 
-TEST(Progressive, GoingOnFromAStateGivesTheSameBytes) {
-  const RenderBudget budget{.max_samples = 192, .noise = 0.05f};
-  for (const int passes : {3, 6, 7}) {
+TEST(Progressive, DistributedSamplesGoWhereTheNoiseIs) {
+  for (const std::uint32_t samples : {32u, 64u, 200u}) {
+    const RenderBudget budget{.max_samples = samples, .distributed = true};
     Film film(kWidth, kHeight, box());
-    std::atomic<bool> cancel{false};
-    Progressive first(film, budget);
-    const auto stop = [&](const Progress& p) { cancel = p.pass == passes; };
-    EXPECT_EQ(first.run(noisy_half, {{}, stop}, &cancel), StopReason::Cancelled);
-    Progressive second(film, budget);
-    ASSERT_TRUE(second.restore(first.state()));
-    second.run(noisy_half);
-    EXPECT_TRUE(same_bytes(film, rendered(0, budget))) << passes;
+    Progressive run(film, budget);
+    EXPECT_EQ(run.run([](int x, int y, std::uint32_t index, FilmSample& s) {
+      sampling::Sampler sampler(x, y + kHeight * static_cast<int>(index), 0);
+      s.beauty = Rgb(uniform_noise(two_deviations(x), sampler.next_1d()));
+    }),
+              StopReason::Samples);
+    double quiet = 0, noisy = 0, error2 = 0;
+    for (std::size_t i = 0; i < film.pixel_count(); ++i) {
+      const auto x = static_cast<int>(i % kWidth);
+      EXPECT_GE(film.samples(i), budget.even_samples());
+      EXPECT_LE(film.samples(i), 4 * samples);
+      if (x < kWidth / 2 - 5) quiet += film.samples(i);
+      if (x >= kWidth / 2 + 5) noisy += film.samples(i);
+      error2 += sqr(film.estimate(i).mean - 1);
+    }
+    EXPECT_NEAR(film.mean_samples(), samples, .001 * samples);
+    // In proportion to the deviations 1 : 5 the quiet half would get a third of the mean; it has
+    // the even samples, half of the mean or somewhat less, and the noisy half the rest.
+    EXPECT_NEAR(quiet / noisy, budget.even_samples() / (2.0 * samples - budget.even_samples()),
+                .02);
+    EXPECT_LT(error2 / static_cast<double>(film.pixel_count()), .8 * .52 / samples)
+        << "of as many samples in every pixel: .52 / samples";
   }
 }
 
+/// The mean of pixels with rare light, by which half of the samples are distributed.
+TEST(Progressive, DistributedMeansAreUnbiased) {
+  double off = 0, variance = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Film film(kWidth, kHeight, box());
+    Progressive(film, {.max_samples = 32, .distributed = true})
+        .run([seed](int x, int y, std::uint32_t index, FilmSample& s) {
+          sampling::Sampler sampler(x, y + kHeight * static_cast<int>(index), 0, seed);
+          s.beauty = Rgb(.5f + (sampler.next_1d() < .002f ? 250.0f : 0));
+        });
+    for (std::size_t i = 0; i < film.pixel_count(); ++i) {
+      off += film.estimate(i).mean - 1;
+      variance += sqr(250) * .002 * .998 / film.samples(i);
+    }
+  }
+  EXPECT_LT(std::abs(off), 4 * std::sqrt(variance)) << "four standard errors";
+}
+
+TEST(Progressive, PartsOfDistributedSamplesEndBeforeTheSecondHalf) {
+  const RenderBudget budget{.max_samples = 64, .distributed = true};
+  Film film(kWidth, kHeight, box());
+  for (const int number : {1, 2}) {
+    Progressive part(film, budget, {number, 2});
+    EXPECT_EQ(part.run(noisy_half), StopReason::Part);
+    for (const std::uint32_t i : part.pixels()) EXPECT_EQ(film.samples(i), 32u);
+  }
+  Progressive whole(film, budget);
+  EXPECT_EQ(whole.judge(), std::nullopt);
+  for (const int number : {1, 2}) {
+    Progressive part(film, budget, {number, 2});
+    ASSERT_TRUE(part.raise_targets(whole.next_targets()));
+    EXPECT_EQ(part.run(noisy_half), StopReason::Part);
+  }
+  EXPECT_EQ(whole.judge(), StopReason::Samples);
+  EXPECT_TRUE(same_bytes(film, rendered(0, budget)));
+}
+
+TEST(Progressive, GoingOnFromAStateGivesTheSameBytes) {
+  for (const RenderBudget& budget : {RenderBudget{.max_samples = 192, .noise = 0.05f},
+                                     RenderBudget{.max_samples = 192, .distributed = true}})
+    for (const int passes : {3, 6, 7}) {
+      Film film(kWidth, kHeight, box());
+      std::atomic<bool> cancel{false};
+      Progressive first(film, budget);
+      const auto stop = [&](const Progress& p) { cancel = p.pass == passes; };
+      EXPECT_EQ(first.run(noisy_half, {{}, stop}, &cancel), StopReason::Cancelled);
+      Progressive second(film, budget);
+      ASSERT_TRUE(second.restore(first.state()));
+      second.run(noisy_half);
+      EXPECT_TRUE(same_bytes(film, rendered(0, budget))) << passes;
+    }
+}
+
 TEST(Progressive, GoingOnFromAnInterruptedPassGivesTheSameBytes) {
-  const RenderBudget budget{.max_samples = 192, .noise = 0.05f};
-  for (const int stop_after : {1000, 40'000, 60'000}) {
+  const RenderBudget target{.max_samples = 192, .noise = 0.05f};
+  const RenderBudget distributed{.max_samples = 192, .distributed = true};
+  for (const auto& [budget, stop_after] :
+       {std::pair(target, 1000), std::pair(target, 40'000), std::pair(target, 60'000),
+        std::pair(distributed, 60'000), std::pair(distributed, 250'000)}) {
     Film film(kWidth, kHeight, box());
     std::atomic<bool> cancel{false};
     std::atomic<int> left{stop_after};
@@ -366,10 +436,25 @@ TEST(Budget, FollowsSamplesAndContrast) {
 TEST(Budget, OptionsOverrideTheScene) {
   const scene::RenderOptions options;
   EXPECT_EQ(render_budget(options, {.samples = 7}), (RenderBudget{.max_samples = 7}));
+  EXPECT_EQ(render_budget(options, {.samples = 32}), (RenderBudget{.max_samples = 32}));
   EXPECT_EQ(render_budget(options, {.noise = 0.01f}),
             (RenderBudget{.max_samples = kMaxSamplesForNoise, .noise = 0.01f}));
   EXPECT_EQ(render_budget(options, {.seconds = 3}),
             (RenderBudget{.max_samples = kMaxSamples, .seconds = 3}));
+}
+
+TEST(Budget, DistributesSamplesFrom32OnWithoutANoiseTarget) {
+  const scene::RenderOptions options;
+  const auto distributed = [&](BudgetRequest request) {
+    request.distributes = true;
+    return render_budget(options, request).distributed;
+  };
+  EXPECT_TRUE(distributed({.samples = 32}));
+  EXPECT_TRUE(distributed({.samples = 64, .seconds = 10}));
+  EXPECT_FALSE(distributed({.samples = 31}));
+  EXPECT_FALSE(distributed({.samples = 64, .noise = .01f}));
+  EXPECT_FALSE(distributed({.seconds = 10}));
+  EXPECT_FALSE(distributed({})) << "the scene's own target";
 }
 
 }  // namespace progressive_test

@@ -40,6 +40,16 @@ Window window_of(const World& world, const std::optional<Window>& asked) {
   return w.width() > 0 && w.height() > 0 ? w : whole;
 }
 
+/// Pictures of fewer pixels are previews, whose parts need no rounds.
+constexpr int kLeastDistributedPixels = 256 * 256;
+
+RenderBudget budget_of(const World& world, const SessionSettings& settings) {
+  RenderBudget budget = render_budget(world.options, settings.budget);
+  const Window picture = window_of(world, std::nullopt);
+  budget.distributed &= std::int64_t{picture.width()} * picture.height() >= kLeastDistributedPixels;
+  return budget;
+}
+
 DisplayMap display_map(const World& world, const Window& window) {
   if (world.lens.empty()) return {};
   return [&world, window](int x, int y, const Rgb& color) {
@@ -83,7 +93,7 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       maps_window_(settings.maps_for ? window_of(world, settings.maps_for) : window_),
       observer_(settings.observer),
       filter_(world.options.filter),
-      budget_(render_budget(world.options, settings.budget)),
+      budget_(budget_of(world, settings)),
       paths_of_pixel_(settings.draft ? PathSettings{}.paths_of_pixel
                                      : static_cast<float>(budget_.max_samples)),
       film_(window_.width(), window_.height(), filter_, display_map(world, window_),

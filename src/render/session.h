@@ -65,7 +65,8 @@ std::uint64_t film_bytes(const World& world, const SessionSettings& settings);
 /// Renders one world.
 ///
 /// Model:   sample i of a pixel depends on the position of the pixel in the whole picture, the seed
-///          and i, so a crop has the same pixels as the whole picture.
+///          and i, so a crop has the same pixels as the whole picture, unless their numbers of
+///          samples depend on the noise of the others.
 /// Checked: tests/cli (threads, crop); the pieces by their own tests.
 class RenderSession {
  public:

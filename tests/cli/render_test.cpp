@@ -156,6 +156,42 @@ TEST_F(RenderProgram, CropIsPartOfTheWholePicture) {
   EXPECT_EQ(b.at(20, 20)[3], 0);
 }
 
+TEST_F(RenderProgram, SamplesAreDistributedFrom32And256x256On) {
+  struct Case {
+    std::vector<std::string> options;
+    bool distributed;
+  };
+  for (const Case& c :
+       {Case{{"--samples", "32", "--size", "256x256"}, true},
+        Case{{"--samples", "32", "--size", "512x300", "--crop", "100,60,299,239"}, true},
+        Case{{"--samples", "32", "--size", "256x256", "--even-samples"}, false},
+        Case{{"--samples", "31", "--size", "256x256"}, false},
+        Case{{"--samples", "32", "--size", "256x255"}, false}}) {
+    const std::string what = c.options.back();
+    std::vector<std::string> words = {"render",   "scene.mi", "-o",    "a.exr",
+                                      "--layers", "samples",  "--exr", "float"};
+    words.insert(words.end(), c.options.begin(), c.options.end());
+    const RunResult r = run(words);
+    ASSERT_EQ(r.exit_code, 0) << r.err;
+    const ExrFile exr = read_exr(file("a.exr"));
+    const Layer* samples = find_layer(exr.layers, "samples");
+    ASSERT_NE(samples, nullptr);
+    const Image& image = samples->image;
+    double sum = 0, least = 1e9, most = 0, count = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        const double n = image.at(x, y)[0];
+        if (n == 0) continue;  // outside the crop
+        sum += n, count += 1, least = std::min(least, n), most = std::max(most, n);
+      }
+    const double asked = std::stoi(c.options[1]);
+    EXPECT_NEAR(sum / count, asked, .01) << what;
+    EXPECT_EQ(least, c.distributed ? 16 : asked) << what;
+    EXPECT_LE(most, 4 * asked) << what;
+    EXPECT_EQ(most > asked, c.distributed) << what;
+  }
+}
+
 TEST_F(RenderProgram, SizeAndLayersFollowTheOptions) {
   const RunResult r = run({"render", "scene.mi", "-o", "a.exr", "--samples", "1", "--size", "30x20",
                            "--layers", "normal,depth"});

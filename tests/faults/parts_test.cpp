@@ -95,6 +95,17 @@ TEST_F(Parts, AgreeOnNoise) {
   expect_same({}, "noise of every pixel", {2});
 }
 
+// The second half of the samples is distributed over the picture, in a second round.
+TEST_F(Parts, AgreeOnDistributedSamples) {
+  const Words picture = {"--samples", "32", "--size", "256x256", "--layers", "samples"};
+  expect_same(picture, "distributed", {3});
+  EXPECT_EQ(render_and_merge(2, picture), 2);
+  remove_parts();
+  const Words even = joined(picture, {"--even-samples"});
+  EXPECT_EQ(render_and_merge(2, even), 1);
+  EXPECT_FALSE(bytes_of(file("p.exr")) == uninterrupted(picture));
+}
+
 TEST_F(Parts, AgreeOnIndirectLight) {
   std::string text = small_scene("globillum on caustic on finalgather accuracy 32");
   const std::string place = "origin 0 1 -3";
