@@ -84,7 +84,7 @@ void add_session_labels(const RenderSession& session, CheckpointLabels& labels) 
   const Window& w = session.window();
   const IndirectPlan plan = plan_indirect(world.options);
   labels["--samples"] = fmt::format("{}", budget.max_samples);
-  labels["--even-samples"] = budget.distributed ? "off" : "on";
+  labels["--even-samples"] = budget.distribution == Distribution::Even ? "on" : "off";
   labels["samples min"] = fmt::format("{}", budget.min_samples);
   labels["--noise"] =
       fmt::format("{}{}", budget.noise, budget.every_pixel ? " in every pixel" : "");

@@ -175,7 +175,7 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
                   "Samples per pixel (default: from the scene). From 32 samples and 256x256 pixels "
                   "on, the mean of the picture: every pixel gets half of them, noisy pixels the "
                   "rest");
-  app->add_flag("--even-samples", a->even_samples, "Every pixel gets all of --samples");
+  app->add_flag("--even-samples", a->even_samples, "Every pixel gets the same number of samples");
   app->add_option("--noise", a->noise,
                   "Stop when the estimated noise of the picture is below this, e.g. 0.02");
   app->add_option("--time", a->time,

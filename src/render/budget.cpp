@@ -22,8 +22,8 @@ RenderBudget render_budget(const scene::RenderOptions& options, const BudgetRequ
     budget.max_samples = std::clamp(request.samples.value_or(most), 1u, kMaxSamples);
     budget.noise = std::max(request.noise.value_or(0.0f), 0.0f);
     budget.seconds = std::max(request.seconds.value_or(0.0), 0.0);
-    budget.distributed = request.distributes && request.samples && !(budget.noise > 0) &&
-                         budget.max_samples >= kFewestDistributed;
+    if (request.distributes && !(budget.noise > 0) && budget.max_samples >= kFewestDistributed)
+      budget.distribution = request.samples ? Distribution::SecondHalf : Distribution::EveryPass;
     return budget;
   }
   const std::uint32_t most = samples_of_level(options.samples_max) * kPathSamplesPerSceneSample;

@@ -33,7 +33,7 @@ struct BudgetRequest {
   std::optional<std::uint32_t> samples = {};  ///< of each pixel; with `noise`, the maximum
   std::optional<float> noise = {};            ///< target of picture_noise()
   std::optional<double> seconds = {};
-  bool distributes = false;  ///< RenderBudget::distributed, if `samples` are enough for it
+  bool distributes = false;  ///< see Distribution
 };
 
 /// The budget of a render.
@@ -41,7 +41,8 @@ struct BudgetRequest {
 /// Model:   without a request `samples min max` gives at most 4^max x kPathSamplesPerSceneSample
 ///          and at least 4^min samples; the lowest channel of `contrast` is the noise target of
 ///          every pixel. Any request replaces all of it; of several, the first that is met ends the
-///          render. Samples are distributed only without a noise target.
+///          render. A request for a distribution has an effect without a noise
+///          target, and if `samples` are enough for it.
 /// Checked: Budget.* in progressive_test.cpp
 RenderBudget render_budget(const scene::RenderOptions& options, const BudgetRequest& request);
 

@@ -25,7 +25,7 @@ constexpr double kFastest = 1.0 / 16;
 /// A pixel is judged by the squares of 11 x 11 pixels, whose mean is known to an eighth.
 constexpr int kJudgedRadius = 5;
 
-/// The samples of all pixels grow by at most this factor in a pass with a noise target.
+/// The samples of all pixels grow by at most this factor in a pass that distributes them.
 constexpr double kPassGrowth = 1.5;
 
 /// Their least growth, so that few passes end the render: each looks at the noise, and the first
@@ -46,13 +46,14 @@ constexpr double kLeastVariance = 1e-3;
 }  // namespace
 
 std::uint32_t RenderBudget::even_samples() const {
-  if (!distributed) return max_samples;
+  if (distribution == Distribution::Even) return max_samples;
+  if (distribution == Distribution::EveryPass) return kMinJudgedSamples;
   // Half of them, in whole blocks as in next_pass_target().
   return std::max(max_samples / 2 / kMinJudgedSamples, 1u) * kMinJudgedSamples;
 }
 
 std::uint32_t RenderBudget::pixel_samples() const {
-  return distributed ? kMostOfDistributed * max_samples : max_samples;
+  return distribution == Distribution::SecondHalf ? kMostOfDistributed * max_samples : max_samples;
 }
 
 float relative_noise(float error, const Film::Estimate& estimate, float picture) {
@@ -252,9 +253,10 @@ void Progressive::plan_for_pixels(Plan& plan, const std::vector<Film::Estimate>&
   }
 }
 
-/// The last pass of a picture whose samples are distributed. The samples of a pixel do not depend
-/// on its own noise: pixels that lack a rare bright sample would stay too dark.
-void Progressive::plan_second_half(Plan& plan, const std::vector<Film::Estimate>& estimates) const {
+/// The next pass of a picture without a noise target. The samples of a pixel do not depend on its
+/// own noise: pixels that lack a rare bright sample would stay too dark.
+void Progressive::plan_distribution(Plan& plan,
+                                    const std::vector<Film::Estimate>& estimates) const {
   std::vector<PixelDemand> pixels = demands(estimates, average_neighbours);
   double sum = 0, drawn = 0;  // double: millions of terms
   for (const PixelDemand& pixel : pixels) sum += pixel.variance, drawn += pixel.samples;
@@ -263,9 +265,11 @@ void Progressive::plan_second_half(Plan& plan, const std::vector<Film::Estimate>
       std::max(static_cast<float>(kLeastVariance * sum / count), std::numeric_limits<float>::min());
   for (PixelDemand& pixel : pixels) pixel.variance = std::max(pixel.variance, least);
   const double all = budget_.max_samples * count;
-  plan.targets = allocate_samples(pixels, {.growth = all / drawn,
-                                           .pixel_growth = budget_.pixel_samples(),
-                                           .max_samples = budget_.pixel_samples()});
+  const bool last = budget_.distribution == Distribution::SecondHalf;
+  plan.targets =
+      allocate_samples(pixels, {.growth = last ? all / drawn : kPassGrowth,
+                                .pixel_growth = last ? budget_.pixel_samples() : kPixelGrowth,
+                                .max_samples = budget_.pixel_samples()});
   plan.missing = all - drawn;
 }
 
@@ -281,10 +285,12 @@ Progressive::Plan Progressive::plan(const std::vector<Film::Estimate>& estimates
     highest = std::max(highest, plan.targets[i]);
   }
   if (lowest >= even) {
-    if (!budget_.distributed || (is_whole_ && highest > even))
+    const bool is_distributed =
+        budget_.distribution == Distribution::SecondHalf && is_whole_ && highest > even;
+    if (budget_.distribution == Distribution::Even || is_distributed)
       plan.stop = StopReason::Samples;
     else if (is_whole_)
-      plan_second_half(plan, estimates);
+      plan_distribution(plan, estimates);
     else
       plan.stop = StopReason::Part;
     return plan;

@@ -18,16 +18,19 @@ namespace oriel {
 /// Minimum number of samples before the noise of a pixel is estimated.
 inline constexpr std::uint32_t kMinJudgedSamples = 16;
 
+/// Where samples go without a noise target. Even: max_samples in every pixel. SecondHalf:
+/// max_samples is the mean of all pixels, and the second half of them goes to the pixels where they
+/// reduce the noise most. EveryPass: so do the samples of each pass, until the time is over.
+enum class Distribution : std::uint8_t { Even, SecondHalf, EveryPass };
+
 /// Stop criteria; the first that is met ends the render.
 struct RenderBudget {
-  std::uint32_t max_samples = 64;  ///< per pixel, see `distributed`
+  std::uint32_t max_samples = 64;  ///< per pixel, see Distribution
   std::uint32_t min_samples = kMinJudgedSamples;
   float noise = 0;  ///< target of picture_noise(); 0 = none
   /// The noise target applies to every pixel instead of the picture.
   bool every_pixel = false;
-  /// max_samples is the mean of all pixels: the second half of the samples goes to the pixels where
-  /// they reduce the noise most. Without a noise target.
-  bool distributed = false;
+  Distribution distribution = Distribution::Even;
   double seconds = 0;  ///< ends a render after its first pass; 0 = no limit
   bool operator==(const RenderBudget&) const = default;
 
@@ -64,8 +67,9 @@ struct Progress {
 ///          ends when the noise of the picture is below the target. With
 ///          RenderBudget::every_pixel, passes take the pixels whose noise is above the target
 ///          to the next n_k, and the render ends when no pixel is above it.
-///          With RenderBudget::distributed and without a noise target, the last pass distributes
-///          the second half of the samples likewise, by the noise of the pixels around each pixel.
+///          With Distribution::SecondHalf the last pass distributes half of the samples likewise,
+///          by the noise of the pixels around each pixel; with EveryPass, each pass from 16 samples
+///          on, which increases them by half.
 ///          All this is decided between passes from the film alone, so the picture is the same for
 ///          any number of threads.
 ///          A part of a picture draws the samples of its tiles. Passes with a noise target depend
@@ -174,7 +178,7 @@ class Progressive {
   void plan_for_picture(Plan& plan, const std::vector<Film::Estimate>& estimates,
                         float noise) const;
   void plan_for_pixels(Plan& plan, const std::vector<Film::Estimate>& estimates) const;
-  void plan_second_half(Plan& plan, const std::vector<Film::Estimate>& estimates) const;
+  void plan_distribution(Plan& plan, const std::vector<Film::Estimate>& estimates) const;
   /// blur_square() or average_neighbours().
   using Pool = void (*)(std::vector<float>& values, int width, int height, int radius);
   std::vector<PixelDemand> demands(const std::vector<Film::Estimate>& estimates, Pool pool) const;

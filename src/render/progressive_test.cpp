@@ -240,16 +240,17 @@ TEST(Progressive, WithoutTargetEveryPixelGetsTheRequestedSamples) {
   }
 }
 
+void noisy_picture_of_two_deviations(int x, int y, std::uint32_t index, FilmSample& s) {
+  sampling::Sampler sampler(x, y + kHeight * static_cast<int>(index), 0);
+  s.beauty = Rgb(uniform_noise(two_deviations(x), sampler.next_1d()));
+}
+
 TEST(Progressive, DistributedSamplesGoWhereTheNoiseIs) {
   for (const std::uint32_t samples : {32u, 64u, 200u}) {
-    const RenderBudget budget{.max_samples = samples, .distributed = true};
+    const RenderBudget budget{.max_samples = samples, .distribution = Distribution::SecondHalf};
     Film film(kWidth, kHeight, box());
     Progressive run(film, budget);
-    EXPECT_EQ(run.run([](int x, int y, std::uint32_t index, FilmSample& s) {
-      sampling::Sampler sampler(x, y + kHeight * static_cast<int>(index), 0);
-      s.beauty = Rgb(uniform_noise(two_deviations(x), sampler.next_1d()));
-    }),
-              StopReason::Samples);
+    EXPECT_EQ(run.run(noisy_picture_of_two_deviations), StopReason::Samples);
     double quiet = 0, noisy = 0, error2 = 0;
     for (std::size_t i = 0; i < film.pixel_count(); ++i) {
       const auto x = static_cast<int>(i % kWidth);
@@ -274,7 +275,7 @@ TEST(Progressive, DistributedMeansAreUnbiased) {
   double off = 0, variance = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Film film(kWidth, kHeight, box());
-    Progressive(film, {.max_samples = 32, .distributed = true})
+    Progressive(film, {.max_samples = 32, .distribution = Distribution::SecondHalf})
         .run([seed](int x, int y, std::uint32_t index, FilmSample& s) {
           sampling::Sampler sampler(x, y + kHeight * static_cast<int>(index), 0, seed);
           s.beauty = Rgb(.5f + (sampler.next_1d() < .002f ? 250.0f : 0));
@@ -287,8 +288,36 @@ TEST(Progressive, DistributedMeansAreUnbiased) {
   EXPECT_LT(std::abs(off), 4 * std::sqrt(variance)) << "four standard errors";
 }
 
+TEST(Progressive, TheTimeIsSpentWhereTheNoiseIs) {
+  const RenderBudget budget{
+      .max_samples = 1u << 20, .distribution = Distribution::EveryPass, .seconds = 3600};
+  Film film(kWidth, kHeight, box());
+  Progressive run(film, budget);
+  std::atomic<bool> cancel{false};
+  std::vector<double> means;
+  run.run(noisy_picture_of_two_deviations,
+          {{},
+           [&](const Progress& p) {
+             means.push_back(p.mean_samples);
+             cancel = p.mean_samples >= 200;
+           }},
+          &cancel);
+  // 1, 2, 4, 8, 16 samples, then half more in each pass.
+  ASSERT_GT(means.size(), 6u);
+  EXPECT_EQ(means[4], 16);
+  for (std::size_t i = 5; i < means.size(); ++i)
+    EXPECT_NEAR(means[i] / means[i - 1], 1.5, .05) << i;
+  double quiet = 0, noisy = 0;
+  for (std::size_t i = 0; i < film.pixel_count(); ++i) {
+    const auto x = static_cast<int>(i % kWidth);
+    if (x < kWidth / 2 - 5) quiet += film.samples(i);
+    if (x >= kWidth / 2 + 5) noisy += film.samples(i);
+  }
+  EXPECT_NEAR(quiet / noisy, .2, .03) << "in proportion to the deviations";
+}
+
 TEST(Progressive, PartsOfDistributedSamplesEndBeforeTheSecondHalf) {
-  const RenderBudget budget{.max_samples = 64, .distributed = true};
+  const RenderBudget budget{.max_samples = 64, .distribution = Distribution::SecondHalf};
   Film film(kWidth, kHeight, box());
   for (const int number : {1, 2}) {
     Progressive part(film, budget, {number, 2});
@@ -307,8 +336,9 @@ TEST(Progressive, PartsOfDistributedSamplesEndBeforeTheSecondHalf) {
 }
 
 TEST(Progressive, GoingOnFromAStateGivesTheSameBytes) {
-  for (const RenderBudget& budget : {RenderBudget{.max_samples = 192, .noise = 0.05f},
-                                     RenderBudget{.max_samples = 192, .distributed = true}})
+  for (const RenderBudget& budget :
+       {RenderBudget{.max_samples = 192, .noise = 0.05f},
+        RenderBudget{.max_samples = 192, .distribution = Distribution::SecondHalf}})
     for (const int passes : {3, 6, 7}) {
       Film film(kWidth, kHeight, box());
       std::atomic<bool> cancel{false};
@@ -324,7 +354,7 @@ TEST(Progressive, GoingOnFromAStateGivesTheSameBytes) {
 
 TEST(Progressive, GoingOnFromAnInterruptedPassGivesTheSameBytes) {
   const RenderBudget target{.max_samples = 192, .noise = 0.05f};
-  const RenderBudget distributed{.max_samples = 192, .distributed = true};
+  const RenderBudget distributed{.max_samples = 192, .distribution = Distribution::SecondHalf};
   for (const auto& [budget, stop_after] :
        {std::pair(target, 1000), std::pair(target, 40'000), std::pair(target, 60'000),
         std::pair(distributed, 60'000), std::pair(distributed, 250'000)}) {
@@ -445,16 +475,18 @@ TEST(Budget, OptionsOverrideTheScene) {
 
 TEST(Budget, DistributesSamplesFrom32OnWithoutANoiseTarget) {
   const scene::RenderOptions options;
-  const auto distributed = [&](BudgetRequest request) {
+  const auto distribution = [&](BudgetRequest request) {
     request.distributes = true;
-    return render_budget(options, request).distributed;
+    return render_budget(options, request).distribution;
   };
-  EXPECT_TRUE(distributed({.samples = 32}));
-  EXPECT_TRUE(distributed({.samples = 64, .seconds = 10}));
-  EXPECT_FALSE(distributed({.samples = 31}));
-  EXPECT_FALSE(distributed({.samples = 64, .noise = .01f}));
-  EXPECT_FALSE(distributed({.seconds = 10}));
-  EXPECT_FALSE(distributed({})) << "the scene's own target";
+  EXPECT_EQ(distribution({.samples = 32}), Distribution::SecondHalf);
+  EXPECT_EQ(distribution({.samples = 64, .seconds = 10}), Distribution::SecondHalf);
+  EXPECT_EQ(distribution({.seconds = 10}), Distribution::EveryPass);
+  EXPECT_EQ(distribution({.samples = 31}), Distribution::Even);
+  EXPECT_EQ(distribution({.samples = 64, .noise = .01f}), Distribution::Even);
+  EXPECT_EQ(distribution({.noise = .01f, .seconds = 10}), Distribution::Even);
+  EXPECT_EQ(distribution({}), Distribution::Even) << "the scene's own target";
+  EXPECT_EQ(render_budget(options, {.samples = 32}).distribution, Distribution::Even);
 }
 
 }  // namespace progressive_test

@@ -40,13 +40,14 @@ Window window_of(const World& world, const std::optional<Window>& asked) {
   return w.width() > 0 && w.height() > 0 ? w : whole;
 }
 
-/// Pictures of fewer pixels are previews, whose parts need no rounds.
+/// Pictures of fewer pixels are previews, whose pixels get equal samples: parts need no rounds.
 constexpr int kLeastDistributedPixels = 256 * 256;
 
 RenderBudget budget_of(const World& world, const SessionSettings& settings) {
   RenderBudget budget = render_budget(world.options, settings.budget);
   const Window picture = window_of(world, std::nullopt);
-  budget.distributed &= std::int64_t{picture.width()} * picture.height() >= kLeastDistributedPixels;
+  if (std::int64_t{picture.width()} * picture.height() < kLeastDistributedPixels)
+    budget.distribution = Distribution::Even;
   return budget;
 }
 
