@@ -252,7 +252,7 @@ void print_missing(const Job& job, const std::vector<int>& units) {
 struct MergedFrames {
   bool failed = false;
   bool damaged = false;         ///< parts were removed
-  std::vector<int> next_round;  ///< units that a noise target requires to continue
+  std::vector<int> next_round;  ///< units whose pixels need more samples
 };
 
 MergedFrames merge_complete_frames(const Job& job) {

@@ -72,8 +72,9 @@ struct Progress {
 ///          on, which increases them by half.
 ///          All this is decided between passes from the film alone, so the picture is the same for
 ///          any number of threads.
-///          A part of a picture draws the samples of its tiles. Passes with a noise target depend
-///          on the whole film: before them the part ends, see next_targets() and raise_targets().
+///          A part of a picture draws the samples of its tiles. Passes that distribute samples
+///          depend on the whole film: before them the part ends, see next_targets() and
+///          raise_targets().
 ///          Noise of a pixel: error of its brightness over sqrt(L M), L its brightness and M the
 ///          picture's. Dark regions may thus be noisier than bright ones, which is less visible
 ///          there, and the noise does not depend on the unit of the scene. The error is the
