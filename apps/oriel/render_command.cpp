@@ -124,6 +124,20 @@ int run_render(const RenderArguments& a) {
   return render_scene(a, render_plan(a));
 }
 
+/// How many samples pixels get.
+void add_sample_options(CLI::App& app, RenderArguments& a) {
+  app.add_option("--samples", a.samples,
+                 "Samples per pixel (default: from the scene). From 32 samples and 256x256 pixels "
+                 "on, the mean of the picture: every pixel gets half of them, noisy pixels the "
+                 "rest");
+  app.add_flag("--even-samples", a.even_samples, "Every pixel gets the same number of samples");
+  app.add_option("--noise", a.noise,
+                 "Stop when the estimated noise of the picture is below this, e.g. 0.02");
+  app.add_option("--time", a.time,
+                 "Time limit in seconds from the start of the program, for later frames from the "
+                 "end of the one before (default none). At least one pass is completed");
+}
+
 void add_farm_options(CLI::App& app, RenderArguments& a) {
   app.add_option("--part", a.part,
                  "Render part K of N parts, which cost about the same, to NAME.part-K-of-N beside "
@@ -171,16 +185,7 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
          "frame number: out.####.exr; without #, the second frame is out.0002.exr")
       ->allow_extra_args(false)
       ->type_name("FILE");
-  app->add_option("--samples", a->samples,
-                  "Samples per pixel (default: from the scene). From 32 samples and 256x256 pixels "
-                  "on, the mean of the picture: every pixel gets half of them, noisy pixels the "
-                  "rest");
-  app->add_flag("--even-samples", a->even_samples, "Every pixel gets the same number of samples");
-  app->add_option("--noise", a->noise,
-                  "Stop when the estimated noise of the picture is below this, e.g. 0.02");
-  app->add_option("--time", a->time,
-                  "Time limit in seconds from the start of the program, for later frames from the "
-                  "end of the one before (default none). At least one pass is completed");
+  add_sample_options(*app, *a);
   app->add_option("--frames", a->frames,
                   "Frames (render statements) to render, counted from 1: 1..20, 3,7,12..15 or 8.. "
                   "(default all)")

@@ -83,28 +83,27 @@ TEST(Allocation, APassHasSamplesThoughItsTargetIsMet) {
   EXPECT_EQ(total(allocate_samples(two_kinds(64), limits)), 500 * (64 + 96));
 }
 
-TEST(BlurSquare, AveragesTheWindowInsideThePicture) {
+/// A value of `value` at x 0, y 2 of 7 x 5 pixels, averaged over 3 x 3 pixels by `mean`: expected
+/// at the pixel itself, in the rest of its column, in the next column.
+void expect_window(void (*mean)(std::vector<float>&, int, int, int), float value, float itself,
+                   float column, float next) {
   std::vector<float> values(7 * 5);
-  values[2 * 7 + 0] = 24;  // x 0, y 2
-  blur_square(values, 7, 5, 1);
+  values[2 * 7 + 0] = value;
+  mean(values, 7, 5, 1);
   for (int y = 0; y < 5; ++y)
     for (int x = 0; x < 7; ++x) {
       const bool near = x <= 1 && std::abs(y - 2) <= 1;
-      const float expected = near ? 24.0f / (x == 0 ? 6 : 9) : 0;
+      const float expected = !near ? 0 : x == 1 ? next : y == 2 ? itself : column;
       EXPECT_FLOAT_EQ(values[static_cast<std::size_t>(y * 7 + x)], expected) << x << ' ' << y;
     }
 }
 
+TEST(BlurSquare, AveragesTheWindowInsideThePicture) {
+  expect_window(blur_square, 18, 3, 3, 2);  // of 6 and 9 pixels
+}
+
 TEST(AverageNeighbours, LeavesOutThePixelAndWhatIsOutsideThePicture) {
-  std::vector<float> values(7 * 5);
-  values[2 * 7 + 0] = 40;  // x 0, y 2
-  average_neighbours(values, 7, 5, 1);
-  for (int y = 0; y < 5; ++y)
-    for (int x = 0; x < 7; ++x) {
-      const bool near = x <= 1 && std::abs(y - 2) <= 1 && (x != 0 || y != 2);
-      const float expected = near ? 40.0f / (x == 0 ? 5 : 8) : 0;
-      EXPECT_FLOAT_EQ(values[static_cast<std::size_t>(y * 7 + x)], expected) << x << ' ' << y;
-    }
+  expect_window(average_neighbours, 40, 0, 8, 5);  // of 5 and 8 pixels
   std::vector<float> lone{3};
   average_neighbours(lone, 1, 1, 5);
   EXPECT_EQ(lone[0], 3);
