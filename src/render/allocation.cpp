@@ -64,7 +64,8 @@ void sum_windows(const float* from, float* to, int count, std::size_t step, int 
   }
 }
 
-/// Replaces values by mean(value, sum over the square, number of pixels in it).
+/// Replaces each value by mean(value, sum over the square around it, number of pixels in the
+/// square).
 template <class Mean>
 void replace_by_squares(std::vector<float>& values, int width, int height, int radius,
                         const Mean& mean) {

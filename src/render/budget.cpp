@@ -6,7 +6,7 @@
 namespace oriel {
 namespace {
 
-/// With fewer samples the noise of pixels is known too little when the first half is drawn.
+/// Half of fewer samples is too few to estimate the noise of pixels.
 constexpr std::uint32_t kFewestDistributed = 2 * kMinJudgedSamples;
 
 /// 4^level, within what a pixel can be worth.

@@ -36,7 +36,7 @@ constexpr double kLeastPassGrowth = 1.0625;
 /// fewer samples than the pixel gets.
 constexpr std::uint32_t kPixelGrowth = 2;
 
-/// The most samples of a pixel when they are distributed, as a multiple of their mean.
+/// The most samples of a pixel, as a multiple of the mean over the picture, with SecondHalf.
 constexpr std::uint32_t kMostOfDistributed = 4;
 
 /// Least variance of a pixel for the distribution, relative to the mean: neighbours without noise
