@@ -179,18 +179,19 @@ LearnedLight learn_light(const World& world, const IntegratorPreparation& p,
   if (records.points.empty() || p.monitor.cancelled()) return {};
   LearnedLight learned;
   BestSettings best(world, p, settings);
+  PathSettings with = settings;
+  const auto keep_if_better = [&](LearnedLights& part, const LearnedLights* PathSettings::*used) {
+    if (part.empty()) return;
+    with = best.settings();
+    with.*used = &part;
+    best.improve(with);
+    best.settle();
+    if (!(best.settings().*used)) part = {};
+  };
   learned.lights = learn_lights(world, p, records);
-  PathSettings with = best.settings();
-  with.lights = &learned.lights;
-  if (!learned.lights.empty()) best.improve(with);
-  best.settle();
-  if (!best.settings().lights) learned.lights = {};
+  keep_if_better(learned.lights, &PathSettings::lights);
   learned.emitters = learn_emitters(world, p, records);
-  with = best.settings();
-  with.emitters = &learned.emitters;
-  if (!learned.emitters.empty()) best.improve(with);
-  best.settle();
-  if (!best.settings().emitters) learned.emitters = {};
+  keep_if_better(learned.emitters, &PathSettings::emitters);
   std::vector<GuidePoint> points =
       guide_points(world, records, kFirstRays, 0, p.seed, p.counts, p.monitor);
   learned.guide = DirectionGuide(points);

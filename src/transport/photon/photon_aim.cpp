@@ -2,6 +2,7 @@
 #include "transport/photon/photon_aim.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/parallel.h"
@@ -41,30 +42,27 @@ PhotonAim::PhotonAim(const PhotonSource& source, const std::vector<SharpCaustics
         by_place_ ? source.emit(chosen, other) : source.emit(other, chosen);
     return Line{photon.origin, photon.direction};
   };
-  // How far the other random numbers move a line, at distance t from its origin.
-  const auto beside = [&](const Vec2& chosen, const Line& middle, float t) {
-    float most = 0;
-    for (const Vec2& other : kCorners)
-      most = std::max(most, length(line(chosen, other).at(t) - middle.at(t)));
-    return most;
-  };
+  using Lines = std::array<Line, std::size(kCorners)>;
   const auto meets = [&](std::uint32_t cell) {
     const Vec2 low = corner_of(cell);
-    Line lines[std::size(kCorners)];
-    for (std::size_t k = 0; k < std::size(kCorners); ++k)
-      lines[k] = line((low + kCorners[k]) / static_cast<float>(kSide), kCorners[0]);
+    // By the cell's middle and corners, and by the other random numbers.
+    Lines of_cell, beside;
+    for (std::size_t k = 0; k < std::size(kCorners); ++k) {
+      of_cell[k] = line((low + kCorners[k]) / static_cast<float>(kSide), kCorners[0]);
+      beside[k] = line((low + kCorners[0]) / static_cast<float>(kSide), kCorners[k]);
+    }
+    const Line& middle = of_cell[0];
     for (const SharpCaustics::Sphere& sphere : spheres) {
-      const Line& middle = lines[0];
-      const float t = dot(sphere.centre - middle.origin, middle.direction);
+      const auto most_aside = [&](const Lines& lines, float t) {
+        float most = 0;
+        for (const Line& l : lines) most = std::max(most, length(l.at(t) - middle.at(t)));
+        return most;
+      };
       // The light itself may be in the sphere.
-      const float from = std::max(t, 0.0f);
-      float reach = sphere.radius;
-      for (const Line& l : lines)
-        reach = std::max(reach, sphere.radius + length(l.at(from) - middle.at(from)));
-      const float distance = length(middle.at(from) - sphere.centre);
-      if (distance <= reach) return true;
-      const Vec2 chosen = (low + kCorners[0]) / static_cast<float>(kSide);
-      if (distance <= reach + beside(chosen, middle, from + sphere.radius)) return true;
+      const float from = std::max(dot(sphere.centre - middle.origin, middle.direction), 0.0f);
+      const float distance = length(middle.at(from) - sphere.centre) - sphere.radius;
+      if (distance <= most_aside(of_cell, from) + most_aside(beside, from + sphere.radius))
+        return true;
     }
     return false;
   };
