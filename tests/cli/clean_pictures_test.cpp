@@ -70,7 +70,7 @@ TEST_F(CleanPictures, TheInteriorHasNoFireflies) {
   std::map<std::string, ExrFile> rendered_files;
   std::map<std::string, Image> noisy;
   for (const auto& [name, more] : pictures) {
-    std::vector<std::string> options = {"--size", "96x64",      "--samples",
+    std::vector<std::string> options = {"--size", "72x48",      "--samples",
                                         "400",    "--layers",   "variance,halves,samples",
                                         "-o",     name + ".png"};
     options.insert(options.end(), more.begin(), more.end());
