@@ -17,7 +17,8 @@ constexpr std::uint64_t kSharpPhotons = 600000, kFewestSharp = 20000, kMostSharp
 constexpr std::uint64_t kEmittedForSharp = 20;
 /// Emitted photons of all lights for each camera path, so that photons are not more work than the
 /// picture: in one of gems they took a third of the time of 32 paths per pixel. With 0.15, glass
-/// under a spot takes three times as long to equal error. Small pictures have kFewestEmitted.
+/// under a spot takes three times as long to equal error. With few paths, kFewestEmitted photons
+/// are emitted.
 constexpr double kEmittedForPath = 2, kFewestEmitted = 2e6;
 /// Estimates of photons of lights that rays find rarely: of so many, at most this share of the
 /// scene's radius away.
