@@ -11,8 +11,8 @@ namespace {
 
 /// Number of stored photons per light, and maximum number of emitted ones.
 constexpr std::uint64_t kPhotonsPerLight = 100000, kMaxPhotons = 2000000;
-/// The same for the caustics of path-traced pictures: stored photons of all lights together, the
-/// fewest and most of one, and emitted photons for each of them.
+/// For the caustics of path-traced pictures: number of stored photons of all lights together, the
+/// minimum and maximum of one light, and the maximum number of emitted photons per stored one.
 constexpr std::uint64_t kSharpPhotons = 600000, kFewestSharp = 20000, kMostSharp = 300000;
 constexpr std::uint64_t kEmittedForSharp = 20;
 /// Emitted photons of all lights for each camera path, so that photons are not more work than the
@@ -24,6 +24,17 @@ constexpr double kEmittedForPath = 2, kFewestEmitted = 2e6;
 /// scene's radius away.
 constexpr int kPhotonsOfEstimate = 24;
 constexpr float kRadiusOfEstimate = 0.03f;
+
+/// Photons for caustics of path-traced pictures; without their number.
+PhotonSettings uncounted_sharp_settings(const World& world, const SharpCaustics& sharp,
+                                        std::uint32_t seed) {
+  PhotonSettings settings;
+  settings.globillum = false;
+  settings.sharp = &sharp;
+  settings.seed = seed;
+  settings.most = world.budgets[Budget::Photons];
+  return settings;
+}
 
 }  // namespace
 
@@ -50,9 +61,7 @@ PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std
 
 PhotonSettings sharp_photon_settings(const World& world, const SharpCaustics& sharp, double paths,
                                      std::uint32_t seed) {
-  PhotonSettings settings;
-  settings.globillum = false;
-  settings.sharp = &sharp;
+  PhotonSettings settings = uncounted_sharp_settings(world, sharp, seed);
   const auto lights = static_cast<std::uint64_t>(sharp.light_count());
   const std::uint64_t stored = std::clamp(kSharpPhotons / lights, kFewestSharp, kMostSharp);
   const auto emitted =
@@ -61,8 +70,6 @@ PhotonSettings sharp_photon_settings(const World& world, const SharpCaustics& sh
                                               stored * kEmittedForSharp)};
   settings.depth = world.options.photon_depth;
   settings.merge_caustic = world.options.caustic.merge;
-  settings.seed = seed;
-  settings.most = world.budgets[Budget::Photons];
   return settings;
 }
 
@@ -73,11 +80,10 @@ PhotonLookup lookup_of_found_lights(const World& world, const PhotonMap& map) {
 
 SharpPhotons photons_of_found_lights(const World& world, const IntegratorPreparation& p,
                                      SharpCaustics of, double count) {
-  PhotonSettings settings = sharp_photon_settings(world, of, p.paths, p.seed);
+  PhotonSettings settings = uncounted_sharp_settings(world, of, p.seed);
   const auto each = static_cast<std::uint64_t>(count) / of.light_count() + 1;
   settings.each.caustic = {each, each * kEmittedForSharp};
   settings.depth = world.options.trace_depth;
-  settings.merge_caustic = 0;
   PhotonMap map = trace_photons(world, settings, p.counts, nullptr, p.monitor).caustic;
   const PhotonLookup lookup = lookup_of_found_lights(world, map);
   map.estimate_at_places(lookup);
