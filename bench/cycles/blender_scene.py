@@ -321,6 +321,7 @@ def main():
     with open(sys.argv[sys.argv.index("--") + 1], encoding="utf-8") as f:
         a = json.load(f)
     bpy.ops.wm.read_factory_settings(use_empty=True)
+    scenes.WIDTH, scenes.HEIGHT = a["size"]
     scene = catalogue.SCENES[a["scene"]]()
     scene["pictures"] = a["pictures"]
     build(scene, a["probe"], a["profile"], a["sun"])

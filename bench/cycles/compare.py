@@ -40,6 +40,7 @@ sys.path.insert(0, HERE)
 import catalogue  # noqa: E402  beside this file
 import measure  # noqa: E402
 import mi_scene  # noqa: E402
+import scenes  # noqa: E402
 
 TARGETS = (1e-2, 1e-3)
 
@@ -110,7 +111,8 @@ class Cycles:
         self.noise, self.out = args.adaptive, os.path.join(folder, "cycles.exr")
         self.file = os.path.join(folder, "cycles.json")
         self.fixed = {"scene": name, "probe": oriel.probe, "profile": oriel.profile,
-                      "sun": oriel.sun, "pictures": oriel.pictures, "out": self.out}
+                      "sun": oriel.sun, "pictures": oriel.pictures, "out": self.out,
+                      "size": [scenes.WIDTH, scenes.HEIGHT]}
 
     def render(self, samples, seed, threads=1, method="path", adaptive=True):
         del method

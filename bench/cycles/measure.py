@@ -33,7 +33,9 @@ def run(command):
 
 
 def picture(path):
-    return oiio.ImageBuf(path).get_pixels(oiio.FLOAT)[..., :3].astype(numpy.float64)
+    # Not an ImageBuf: its cache takes a file that was written again within a second for the old one.
+    file = oiio.ImageInput.open(path)
+    return file.read_image(oiio.FLOAT)[..., :3].astype(numpy.float64)
 
 
 def save(image, path):

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "render/progressive.h"
 
 namespace oriel {
 namespace {
@@ -33,8 +32,8 @@ std::uint32_t samples_for(const PixelDemand& pixel, double factor, const Allocat
   const double wanted = factor * std::sqrt(double{pixel.variance});
   if (!(wanted > pixel.samples)) return pixel.samples;
   if (wanted >= most) return most;
-  const auto blocks = static_cast<std::uint32_t>(std::lround(wanted / kMinJudgedSamples));
-  return std::clamp(blocks * kMinJudgedSamples, pixel.samples, most);
+  const auto blocks = static_cast<std::uint32_t>(std::lround(wanted / limits.block));
+  return std::clamp(blocks * limits.block, pixel.samples, most);
 }
 
 AllocationSums sums_for(const std::vector<PixelDemand>& pixels, double factor,

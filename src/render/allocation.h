@@ -20,13 +20,14 @@ struct AllocationLimits {
   double growth = 1;               ///< the most of them
   std::uint32_t pixel_growth = 2;  ///< the same of each pixel
   std::uint32_t max_samples = 0;   ///< of each pixel
+  std::uint32_t block = 16;        ///< samples of a pixel are multiples of it, or those so far
 };
 
 /// The number of samples that each pixel should reach.
 ///
 /// Model:   samples in proportion to the root of the variance, which gives the least mean squared
 ///          error for a number of samples; between the samples so far and both limits of a
-///          pixel; in blocks of kMinJudgedSamples, for which the sample sequences are most uniform.
+///          pixel; in blocks, since sample sequences are most uniform in powers of two.
 ///          The factor is the smallest that reaches the squared noise or the growth of all pixels,
 ///          and their least growth.
 /// Returns: the samples so far if no pixel has variance and room for more.

@@ -6,9 +6,6 @@
 namespace oriel {
 namespace {
 
-/// Half of fewer samples is too few to estimate the noise of pixels.
-constexpr std::uint32_t kFewestDistributed = 2 * kMinJudgedSamples;
-
 /// 4^level, within what a pixel can be worth.
 std::uint32_t samples_of_level(int level) { return 1u << (2 * std::clamp(level, 0, 9)); }
 

@@ -12,7 +12,6 @@
 #include "render/photons_of_picture.h"
 #include "transport/gather/gather_map.h"
 #include "transport/manifold/manifold_build.h"
-#include "transport/path/pilot_paths.h"
 #include "transport/photon/photon_edges.h"
 #include "transport/photon/photon_trace.h"
 
@@ -26,8 +25,6 @@ constexpr float kGatherError = 0.5f;
 /// Length of a ray, in radii of a coarse record, up to which a path does not end at the record:
 /// near an edge it is too coarse. A guess.
 constexpr float kRetrace = 2;
-/// Gain by sampling lit surfaces from which on it is used; the estimate is noisy.
-constexpr float kWorthwhile = 1.1f;
 /// With fewer camera paths, the search for lit surfaces costs too much: it takes 460 000 rays, as
 /// many as 20 000 paths of the interior.
 constexpr double kLeastPathsForLit = 1 << 17;
@@ -88,31 +85,35 @@ void CachedIntegrator::trace(const Camera::Ray& eye, Vec2 raster, float paths_of
 void CachedIntegrator::prepare(const IntegratorPreparation& given) {
   IntegratorPreparation p = given;
   if (learns()) p.paths = needed_paths(world_, given, path_settings());
+  maps_.rarely_found = nullptr;  // of an earlier preparation
   if (plan_.sharp_caustics) trace_sharp_caustics(p);
   if (plan_.global || plan_.caustic) trace_photon_maps(p);
-  trace_rarely_found(p);
+  BestSettings best(world_, p, path_settings());
+  trace_rarely_found(p, best);
   if (plan_.gather) gather(p);
-  if (plan_.bounces) cache_bounces(gather_passes(p.seed), p);
+  if (plan_.bounces) {
+    cache_bounces(gather_passes(p.seed), p);
+    best.restart(path_settings());
+  }
   if (p.share && !std::exchange(helped_, true)) p.share->from_leader({});
-  find_lit_surfaces(p);
-  learn(p);
+  find_lit_surfaces(p, best);
+  if (learns()) learned_ = learn_light(world_, p, std::move(best));
   if (!caches_only() && !p.monitor.cancelled())
     grid_.emplace(world_, path_settings(), p.seed, p.counts);
   prepared_ = !p.monitor.cancelled();
 }
 
 /// Caches hold the light of lit surfaces already.
-void CachedIntegrator::find_lit_surfaces(const IntegratorPreparation& p) {
+void CachedIntegrator::find_lit_surfaces(const IntegratorPreparation& p, BestSettings& best) {
   if (!plan_.indirect || plan_.maps() || caches_only() || p.monitor.cancelled()) return;
   if (p.paths < kLeastPathsForLit) return;
   lit_ = LitSurfaces(world_, p.picture, p.seed, p.counts);
   if (lit_.empty() || p.monitor.cancelled()) return;
-  PathSettings sampled = path_settings();
+  PathSettings sampled = best.settings();
   sampled.lit = &lit_;
-  const auto pilots = [&](const PathSettings& settings) {
-    return PilotPaths(world_, p.picture, settings, p.seed, p.counts);
-  };
-  if (pilots(sampled).compare(pilots(path_settings())).efficiency() < kWorthwhile) lit_ = {};
+  best.improve(sampled);
+  best.settle();
+  if (!best.settings().lit) lit_ = {};
 }
 
 /// Only paths that trace diffuse bounces learn.
@@ -122,13 +123,6 @@ bool CachedIntegrator::learns() const {
 
 bool CachedIntegrator::prepares_long(double paths) const {
   return has_caches() || (learns() && may_learn(world_, paths));
-}
-
-void CachedIntegrator::learn(const IntegratorPreparation& p) {
-  if (!learns()) return;
-  PathSettings settings = path_settings();
-  settings.lit = lit_.empty() ? nullptr : &lit_;
-  learned_ = learn_light(world_, p, settings);
 }
 
 void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {
@@ -177,23 +171,24 @@ void CachedIntegrator::use_chains() {
 }
 
 /// Nothing where paths do not learn, or find caustics with little noise.
-void CachedIntegrator::trace_rarely_found(const IntegratorPreparation& p) {
+void CachedIntegrator::trace_rarely_found(const IntegratorPreparation& p, BestSettings& best) {
   if (!learns() || !may_learn(world_, p.paths) || p.monitor.cancelled()) return;
   if (path_settings().further_bounces != Rgb(1) || !all_cast_and_receive(world_)) return;
   SharpCaustics lights(world_, CausticLights::RarelyFound);
   if (lights.empty()) return;
-  const auto pilots = [&] {
-    return PilotPaths(world_, p.picture, path_settings(), p.seed, p.counts);
-  };
-  maps_.rarely_found = nullptr;  // of an earlier preparation
-  const PilotPaths without = pilots();
   const double photons = std::clamp(p.paths / kPathsOfPhoton, kFewestOfLights, kMostOfLights);
   rarely_found_ = photons_of_found_lights(world_, p, lights, kDecidingShare * photons);
+  IndirectCaches found = maps_;
+  found.rarely_found = &rarely_found_;
+  PathSettings with = best.settings();
+  with.maps = &found;
+  if (rarely_found_.map.empty() || !best.improve(with, kWorthwhilePhotons)) {
+    rarely_found_ = {};
+    return;
+  }
+  rarely_found_ = photons_of_found_lights(world_, p, std::move(lights), photons);
   maps_.rarely_found = &rarely_found_;
-  if (!rarely_found_.map.empty() && pilots().compare(without).efficiency() >= kWorthwhilePhotons)
-    rarely_found_ = photons_of_found_lights(world_, p, std::move(lights), photons);
-  else
-    maps_.rarely_found = nullptr, rarely_found_ = {};
+  best.restart(path_settings());
 }
 
 void CachedIntegrator::use_photon_maps() {

@@ -3,6 +3,7 @@
 // reflections.
 #pragma once
 
+#include "render/best_settings.h"
 #include "render/indirect_plan.h"
 #include "render/integrator.h"
 #include "render/learn_light.h"
@@ -62,12 +63,11 @@ class CachedIntegrator final : public Integrator {
   void restore_maps(In& in, const IntegratorPreparation& p);
   void start_helpers(const IntegratorPreparation& p);
   void gather_in_passes(GatherPasses passes, const IntegratorPreparation& p);
-  void find_lit_surfaces(const IntegratorPreparation& p);
+  void find_lit_surfaces(const IntegratorPreparation& p, BestSettings& best);
   bool learns() const;
-  void learn(const IntegratorPreparation& p);
   void trace_sharp_caustics(const IntegratorPreparation& p);
   void use_chains();
-  void trace_rarely_found(const IntegratorPreparation& p);
+  void trace_rarely_found(const IntegratorPreparation& p, BestSettings& best);
   template <class In>
   void restore_rarely_found(In& in);
   void trace_photon_maps(const IntegratorPreparation& p);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "lights/light_sampler.h"
@@ -11,14 +10,12 @@
 #include "transport/gather/gather_passes.h"
 #include "transport/gather/guide_points.h"
 #include "transport/gather/light_points.h"
-#include "transport/path/pilot_paths.h"
 
 namespace oriel {
 namespace {
 
-/// With fewer camera paths, learning costs more than it saves: it takes about as long as 200 000
-/// paths of a room.
-constexpr double kLeastPaths = 1 << 20;
+/// With fewer camera paths, learning costs more than it saves.
+constexpr double kLeastPaths = 1 << 18;
 /// Rays of a coarse record before BounceSolver halves them. Records only steer paths, so that many
 /// rough ones serve better than few exact ones.
 constexpr int kRaysOfRecord = 64;
@@ -32,18 +29,6 @@ constexpr double kPathsOfRecord = 2400;
 /// without guide. A ray takes about half as long as a path.
 constexpr int kFirstRays = 64, kMostRays = 512;
 constexpr double kRaysForEachPath = 0.06;
-/// Least gain for which paths use something that was learned.
-constexpr float kWorthwhileGain = 1.1f;
-/// Pilot paths compare noise and rays, but not the time of look-ups in the guide. In nine scenes,
-/// pictures with a guide gain .81 to 1.05 of what pilot paths find (mean .9), with a guide and two
-/// diffuse rays .88 to 1.15.
-constexpr float kKeptWithGuide = 0.9f;
-/// Pilot paths of two choices differ by chance by about a tenth: a choice has to gain this many
-/// times as much as the best one before it.
-constexpr float kClearlyBetter = 1.08f;
-/// Pilot paths of each choice of settings as a share of all paths, and their pixels.
-constexpr double kPilotShare = 0.01;
-constexpr double kFewestPilotPixels = 512, kMostPilotPixels = 4096;
 /// Samples of each light at a point, rays of all points for each camera path, and most lights.
 constexpr double kMostSamples = 8, kLightRaysForEachPath = 0.18;
 constexpr std::size_t kMostLights = 512;
@@ -63,56 +48,6 @@ Bounces coarse_records(const World& world, const IntegratorPreparation& p,
   return gather_bounces(world, first_gather_points(world, p.picture, passes, p.counts), settings,
                         p.seed, p.counts, p.monitor, most_records(p.paths));
 }
-
-/// Settings that are chosen by pilot paths, one step after the other.
-class BestSettings {
- public:
-  BestSettings(const World& world, const IntegratorPreparation& p, const PathSettings& settings)
-      : world_(world), p_(p), settings_(settings), pilots_(trace(settings)) {}
-
-  const PathSettings& settings() const { return settings_; }
-  /// Compares the settings with those before this step. Returns whether they gain clearly more than
-  /// all others of the step; these are kept for settle().
-  bool improve(const PathSettings& settings) {
-    PilotPaths pilots = trace(settings);
-    const float kept = settings.guide && settings.diffuse_rays == 1 ? kKeptWithGuide : 1;
-    const float gain = kept * pilots.compare(pilots_).efficiency();
-    if (gain < (next_ ? kClearlyBetter * next_->gain : kWorthwhileGain)) return false;
-    next_.emplace(settings, std::move(pilots), gain);
-    return true;
-  }
-  /// Ends a step: the best of it are the settings.
-  void settle() {
-    if (!next_) return;
-    settings_ = next_->settings;
-    pilots_ = std::move(next_->pilots);
-    next_.reset();
-  }
-
- private:
-  PilotPaths trace(const PathSettings& settings) const {
-    const double wanted = kPilotShare * p_.paths / kPilotPathsOfPixel;
-    return {world_,
-            p_.picture,
-            settings,
-            p_.seed,
-            p_.counts,
-            static_cast<std::size_t>(std::clamp(wanted, kFewestPilotPixels, kMostPilotPixels))};
-  }
-
-  const World& world_;
-  const IntegratorPreparation& p_;
-  PathSettings settings_;
-  PilotPaths pilots_;
-  struct Next {
-    Next(const PathSettings& settings, PilotPaths pilots, float gain)
-        : settings(settings), pilots(std::move(pilots)), gain(gain) {}
-    PathSettings settings;
-    PilotPaths pilots;
-    float gain;
-  };
-  std::optional<Next> next_;
-};
 
 /// Samples of each of so many lights at a point.
 int light_samples(const IntegratorPreparation& p, const Bounces& records, std::size_t lights) {
@@ -166,8 +101,7 @@ double needed_paths(const World& world, const IntegratorPreparation& p,
   return std::min(p.paths, of_pixel * p.picture.width() * p.picture.height());
 }
 
-LearnedLight learn_light(const World& world, const IntegratorPreparation& p,
-                         const PathSettings& settings) {
+LearnedLight learn_light(const World& world, const IntegratorPreparation& p, BestSettings best) {
   if (!may_learn(world, p.paths)) return {};
   p.monitor.report("guiding", 0);
   GatherSettings of_records = gather_settings(world.options, world.accel->bounds());
@@ -178,8 +112,7 @@ LearnedLight learn_light(const World& world, const IntegratorPreparation& p,
   const Bounces records = coarse_records(world, p, of_records);
   if (records.points.empty() || p.monitor.cancelled()) return {};
   LearnedLight learned;
-  BestSettings best(world, p, settings);
-  PathSettings with = settings;
+  PathSettings with = best.settings();
   const auto keep_if_better = [&](LearnedLights& part, const LearnedLights* PathSettings::*used) {
     if (part.empty()) return;
     with = best.settings();

@@ -2,6 +2,7 @@
 // What the paths of a picture learn of its light beforehand.
 #pragma once
 
+#include "render/best_settings.h"
 #include "render/integrator.h"
 #include "transport/direction_guide.h"
 #include "transport/gather/gather_bounces.h"
@@ -41,9 +42,8 @@ double needed_paths(const World& world, const IntegratorPreparation& p,
 /// part is empty if the picture has so few paths that learning costs more than it saves, if pilot
 /// paths show no gain, or if cancelled.
 ///
-/// Inputs:  settings: of the paths, which learned nothing.
+/// Inputs:  best: of the paths, which learned nothing.
 /// Checked: Guiding.*, GuidedPictures.*, ManyLamps.* in tests/cross_method
-LearnedLight learn_light(const World& world, const IntegratorPreparation& p,
-                         const PathSettings& settings);
+LearnedLight learn_light(const World& world, const IntegratorPreparation& p, BestSettings best);
 
 }  // namespace oriel

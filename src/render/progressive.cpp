@@ -49,7 +49,7 @@ std::uint32_t RenderBudget::even_samples() const {
   if (distribution == Distribution::Even) return max_samples;
   if (distribution == Distribution::EveryPass) return kMinJudgedSamples;
   // Half of them, in whole blocks as in next_pass_target().
-  return std::max(max_samples / 2 / kMinJudgedSamples, 1u) * kMinJudgedSamples;
+  return std::max(max_samples / 2 / kMinJudgedSamples * kMinJudgedSamples, kFewestDistributed / 2);
 }
 
 std::uint32_t RenderBudget::pixel_samples() const {
@@ -269,7 +269,8 @@ void Progressive::plan_distribution(Plan& plan,
   plan.targets =
       allocate_samples(pixels, {.growth = last ? all / drawn : kPassGrowth,
                                 .pixel_growth = last ? budget_.pixel_samples() : kPixelGrowth,
-                                .max_samples = budget_.pixel_samples()});
+                                .max_samples = budget_.pixel_samples(),
+                                .block = std::min(kMinJudgedSamples, budget_.even_samples())});
   plan.missing = all - drawn;
 }
 

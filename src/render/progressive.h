@@ -17,6 +17,8 @@ namespace oriel {
 
 /// Minimum number of samples before the noise of a pixel is estimated.
 inline constexpr std::uint32_t kMinJudgedSamples = 16;
+/// Fewer samples are not distributed: half of them is too few to estimate the noise of pixels.
+inline constexpr std::uint32_t kFewestDistributed = 16;
 
 /// Where samples go without a noise target. Even: max_samples in every pixel. SecondHalf:
 /// max_samples is the mean of all pixels, and the second half of them goes to the pixels where they

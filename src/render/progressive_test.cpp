@@ -258,7 +258,7 @@ double quiet_to_noisy(const Film& film) {
 }
 
 TEST(Progressive, DistributedSamplesGoWhereTheNoiseIs) {
-  for (const std::uint32_t samples : {32u, 64u, 200u}) {
+  for (const std::uint32_t samples : {16u, 31u, 32u, 64u, 200u}) {
     const RenderBudget budget{.max_samples = samples, .distribution = Distribution::SecondHalf};
     Film film(kWidth, kHeight, box());
     Progressive run(film, budget);
@@ -476,20 +476,20 @@ TEST(Budget, OptionsOverrideTheScene) {
             (RenderBudget{.max_samples = kMaxSamples, .seconds = 3}));
 }
 
-TEST(Budget, DistributesSamplesFrom32OnWithoutANoiseTarget) {
+TEST(Budget, DistributesSamplesFrom16OnWithoutANoiseTarget) {
   const scene::RenderOptions options;
   const auto distribution = [&](BudgetRequest request) {
     request.distributes = true;
     return render_budget(options, request).distribution;
   };
-  EXPECT_EQ(distribution({.samples = 32}), Distribution::SecondHalf);
+  EXPECT_EQ(distribution({.samples = 16}), Distribution::SecondHalf);
   EXPECT_EQ(distribution({.samples = 64, .seconds = 10}), Distribution::SecondHalf);
   EXPECT_EQ(distribution({.seconds = 10}), Distribution::EveryPass);
-  EXPECT_EQ(distribution({.samples = 31}), Distribution::Even);
+  EXPECT_EQ(distribution({.samples = 15}), Distribution::Even);
   EXPECT_EQ(distribution({.samples = 64, .noise = .01f}), Distribution::Even);
   EXPECT_EQ(distribution({.noise = .01f, .seconds = 10}), Distribution::Even);
   EXPECT_EQ(distribution({}), Distribution::Even) << "the scene's own target";
-  EXPECT_EQ(render_budget(options, {.samples = 32}).distribution, Distribution::Even);
+  EXPECT_EQ(render_budget(options, {.samples = 16}).distribution, Distribution::Even);
 }
 
 }  // namespace progressive_test

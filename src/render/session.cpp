@@ -41,7 +41,7 @@ Window window_of(const World& world, const std::optional<Window>& asked) {
 }
 
 /// Pictures of fewer pixels are previews, whose pixels get equal samples: parts need no rounds.
-constexpr int kLeastDistributedPixels = 256 * 256;
+constexpr int kLeastDistributedPixels = 128 * 128;
 
 RenderBudget budget_of(const World& world, const SessionSettings& settings) {
   RenderBudget budget = render_budget(world.options, settings.budget);

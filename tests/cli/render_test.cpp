@@ -156,17 +156,18 @@ TEST_F(RenderProgram, CropIsPartOfTheWholePicture) {
   EXPECT_EQ(b.at(20, 20)[3], 0);
 }
 
-TEST_F(RenderProgram, SamplesAreDistributedFrom32And256x256On) {
+TEST_F(RenderProgram, SamplesAreDistributedFrom16And128x128On) {
   struct Case {
     std::vector<std::string> options;
     bool distributed;
   };
   for (const Case& c :
-       {Case{{"--samples", "32", "--size", "256x256"}, true},
+       {Case{{"--samples", "32", "--size", "128x128"}, true},
+        Case{{"--samples", "16", "--size", "128x128"}, true},
         Case{{"--samples", "32", "--size", "512x300", "--crop", "100,60,299,239"}, true},
-        Case{{"--samples", "32", "--size", "256x256", "--even-samples"}, false},
-        Case{{"--samples", "31", "--size", "256x256"}, false},
-        Case{{"--samples", "32", "--size", "256x255"}, false}}) {
+        Case{{"--samples", "32", "--size", "128x128", "--even-samples"}, false},
+        Case{{"--samples", "15", "--size", "128x128"}, false},
+        Case{{"--samples", "32", "--size", "128x127"}, false}}) {
     const std::string what = c.options.back();
     std::vector<std::string> words = {"render",   "scene.mi", "-o",    "a.exr",
                                       "--layers", "samples",  "--exr", "float"};
@@ -186,7 +187,7 @@ TEST_F(RenderProgram, SamplesAreDistributedFrom32And256x256On) {
       }
     const double asked = std::stoi(c.options[1]);
     EXPECT_NEAR(sum / count, asked, .01) << what;
-    EXPECT_EQ(least, c.distributed ? 16 : asked) << what;
+    EXPECT_EQ(least, c.distributed ? asked / 2 : asked) << what;
     EXPECT_LE(most, 4 * asked) << what;
     EXPECT_EQ(most > asked, c.distributed) << what;
   }

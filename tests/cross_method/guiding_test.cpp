@@ -76,13 +76,13 @@ std::string large_box(const std::string& options, int side = 96) {
 }
 
 TEST(GuidedPictures, LearnLittleForANoiseTargetThatIsMetSoon) {
-  const Probe probe(large_box("\"indirect\" \"path\"", 160));
+  const Probe probe(large_box("\"indirect\" \"path\"", 120));
   const auto rays_before = [&](float noise) {
     RenderSession session(probe.world(), {.budget = {.noise = noise}});
     session.prepare();
     return session.rays_before();
   };
-  // 160 x 160 x 64 paths learn by some 400,000 rays; 16 samples of a pixel are too few to learn,
+  // 120 x 120 x 64 paths learn by some 600,000 rays; 16 samples of a pixel are too few to learn,
   // and only pilot paths find that.
   EXPECT_GT(rays_before(.01f), 300'000u);
   EXPECT_LT(rays_before(.5f), 150'000u);
@@ -94,7 +94,7 @@ std::vector<Rgb> window(const std::string& scene, int side, int threads) {
   const ThreadLimit limit(threads);
   const Probe probe(scene);
   RenderSession session(probe.world(),
-                        {.budget = {.samples = 128}, .crop = Window{0, 0, side, side}});
+                        {.budget = {.samples = 32}, .crop = Window{0, 0, side, side}});
   session.run();
   std::vector<Rgb> pixels;
   for (int y = side - 4; y < side; ++y)

@@ -44,7 +44,7 @@ TEST_F(Mpi, AnyNumberOfRanksGivesTheSameBytes) {
   expect_same({"--samples", "20", "--layers", "all", "--cryptomatte", "--light-group", "key=lamp*"},
               {1, 2, 3, 7});
   expect_same({"--noise", ".04"}, {3});
-  expect_same({"--samples", "32", "--size", "256x256"}, {3});
+  expect_same({"--samples", "32", "--size", "128x128"}, {3});
 }
 
 // acceptance: F2

@@ -97,7 +97,7 @@ TEST_F(Parts, AgreeOnNoise) {
 
 // The second half of the samples is distributed over the picture, in a second round.
 TEST_F(Parts, AgreeOnDistributedSamples) {
-  const Words picture = {"--samples", "32", "--size", "256x256", "--layers", "samples"};
+  const Words picture = {"--samples", "32", "--size", "128x128", "--layers", "samples"};
   expect_same(picture, "distributed", {3});
   EXPECT_EQ(render_and_merge(2, picture), 2);
   remove_parts();

@@ -62,7 +62,7 @@ TEST_F(Resume, KillingAtAnyTimeGivesTheSameBytes) {
 TEST_F(Resume, KeepsLayersAndMattes) {
   expect_same_bytes(joined({"--samples", "100"}, kAllLayers), "all layers");
   expect_same_bytes({"--samples", "100", "--crop", "3,4,40,30"}, "crop");
-  expect_same_bytes({"--samples", "32", "--size", "256x256"}, "distributed samples");
+  expect_same_bytes({"--samples", "32", "--size", "128x128"}, "distributed samples");
   write("scene.mi", small_scene("filter mitchell 4 4"));
   expect_same_bytes(joined({"--samples", "100"}, kAllLayers), "filter with negative lobes");
 }

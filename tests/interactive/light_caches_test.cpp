@@ -85,7 +85,7 @@ TEST_F(LightCachesTest, PathsThatLearnNothingHaveNoDraftOfFullSize) {
 
 TEST_F(LightCachesTest, PathsThatLearnHaveADraftOfFullSize) {
   ViewSettings view = small_view();
-  view.budget.samples = 700;  // of 48 x 32 pixels: more than a million paths
+  view.budget.samples = 180;  // of 48 x 32 pixels: more than 2^18 paths
   CountedLoop counted(source(), view);
   finish(counted.loop());
   EXPECT_GE(full_size_drafts(counted.take_pictures()), 1u);

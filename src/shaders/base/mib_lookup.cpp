@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shaders/base/mib_lookup.h"
 
-#include <cmath>
-
+#include "base/fraction.h"
 #include "base/math.h"
 #include "runtime/texture_node.h"
 #include "runtime/world.h"
@@ -48,7 +47,7 @@ void spherical(const Call& call, void* result) {
   // The centre of the picture is at -z, u increases to the right seen from inside, y is up.
   const float u = 0.5f + (math::atan2(d.x, -d.z) + p.rotate) / kTwoPi;
   const float v = 0.5f + math::asin(clamp(d.y, -1, 1)) / kPi;
-  out = p.tex.texture->lookup(Vec2(u - std::floor(u), v), call.point,
+  out = p.tex.texture->lookup(Vec2(fraction(u), v), call.point,
                               {.wrap_u = Wrap::Periodic, .wrap_v = Wrap::Clamp});
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/fraction.h"
 #include "base/math.h"
 #include "runtime/texture_node.h"
 
@@ -137,7 +138,7 @@ bool on_wall(const Cylinder& p, const Vec3& at) {
   if (std::abs(at.z) > 1) return false;
   if (p.begin == 0 && p.end == 0) return true;
   const float turn = (azimuth(at) - p.begin) / kTwoPi;
-  return (turn - std::floor(turn)) * kTwoPi <= p.end - p.begin;
+  return fraction(turn) * kTwoPi <= p.end - p.begin;
 }
 
 /// Nearest hit of the wall.

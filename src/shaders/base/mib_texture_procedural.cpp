@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/fraction.h"
 #include "base/math.h"
 #include "sampling/gradient_noise.h"
 
@@ -78,7 +79,6 @@ constexpr ParamSpec kWaveRows[] = {
     {ORIEL_PARAM(Wave, offset), .doc = "Offset of the waves.", .declared_default = false},
 };
 
-float fraction(float x) { return x - std::floor(x); }
 Vec3 in_cell(const Vec3& p) { return Vec3(fraction(p.x), fraction(p.y), fraction(p.z)); }
 
 void checkerboard(const Call& call, void* result) {

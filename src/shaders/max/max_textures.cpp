@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "base/fraction.h"
 #include "base/math.h"
 #include "runtime/coordinate_footprint.h"
 #include "runtime/texture_node.h"
@@ -169,7 +170,7 @@ void mix(const Call& call, void* result) {
 void checker(const Call& call, void* result) {
   const auto& p = call.as<Pair>();
   const Vec3 uv = place_of(p.Coords, call.point);
-  const bool first = (uv.x - std::floor(uv.x) < .5f) == (uv.y - std::floor(uv.y) < .5f);
+  const bool first = (fraction(uv.x) < .5f) == (fraction(uv.y) < .5f);
   show(first ? one_of(p.Color1, p.Map1, p.Map1Enabled, call.point)
              : one_of(p.Color2, p.Map2, p.Map2Enabled, call.point),
        result);

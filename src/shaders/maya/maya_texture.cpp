@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/fraction.h"
 #include "base/math.h"
 #include "runtime/bump.h"
 #include "runtime/texture_node.h"
@@ -130,8 +131,6 @@ constexpr auto kBumpRows = about({
      .doc = "Normal of another connected bump node, in camera space; a constant value is "
             "ignored."},
 });
-
-float fraction(float x) { return x - std::floor(x); }
 
 Vec3 turned(const Vec3& uv, float angle) {
   const float c = math::cos(angle), s = math::sin(angle), x = uv.x - .5f, y = uv.y - .5f;

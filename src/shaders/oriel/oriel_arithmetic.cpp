@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/fraction.h"
 #include "base/math.h"
 #include "color/srgb.h"
 
@@ -29,7 +30,6 @@ struct HueSaturation {
 
 using Operation = float (*)(float a, float b, float c);
 
-float fraction(float x) { return x - std::floor(x); }
 float quotient(float a, float b) { return b != 0 ? a / b : 0; }
 
 float power(float a, float b) { return a < 0 && b != std::floor(b) ? 0 : math::pow(a, b); }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/fraction.h"
 #include "base/math.h"
 #include "shaders/oriel/oriel_noise.h"
 
@@ -39,7 +40,7 @@ void give_wave(const Call& call, void* result) {
   }
   const float turns = x / kTwoPi;
   float value = 0.5f + 0.5f * math::sin(x - kPi / 2);
-  if (n.profile == 1) value = turns - std::floor(turns);
+  if (n.profile == 1) value = fraction(turns);
   if (n.profile == 2) value = 2 * std::abs(turns - std::floor(turns + 0.5f));
   *static_cast<Rgba*>(result) = Rgba(std::isfinite(value) ? value : 0);
 }

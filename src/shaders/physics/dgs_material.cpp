@@ -23,7 +23,7 @@ struct Dgs {
   ArrayView<LightRef> lights;
   int mode;
 };
-struct Dielectric {
+struct DielectricMaterial {
   Rgba col;
   float ior;
   Rgba col_out;
@@ -61,26 +61,26 @@ constexpr ParamSpec kDgsRows[] = {
     {ORIEL_PARAM(Dgs, lights), .doc = "Light list.", .declared_default = false},
     {ORIEL_PARAM(Dgs, mode), .doc = kMode, .declared_default = false},
 };
-constexpr ParamSpec kDielectricRows[] = {
-    {ORIEL_PARAM(Dielectric, col), .unit = "per scene unit",
+constexpr ParamSpec kDielectricMaterialRows[] = {
+    {ORIEL_PARAM(DielectricMaterial, col), .unit = "per scene unit",
      .doc = "Transmittance per unit length inside.", .declared_default = false},
-    {ORIEL_PARAM(Dielectric, ior), .min = 0, .doc = "Index of refraction inside; 0 = 1.",
+    {ORIEL_PARAM(DielectricMaterial, ior), .min = 0, .doc = "Index of refraction inside; 0 = 1.",
      .declared_default = false},
-    {ORIEL_PARAM(Dielectric, col_out), .unit = "per scene unit",
+    {ORIEL_PARAM(DielectricMaterial, col_out), .unit = "per scene unit",
      .doc = "Transmittance per unit length outside; ignored, the surface that encloses the "
             "outside defines it.",
      .support = Support::Ignored, .declared_default = false},
-    {ORIEL_PARAM(Dielectric, ior_out), .min = 0, .doc = "Index of refraction outside; 0 = 1.",
-     .declared_default = false},
-    {ORIEL_PARAM(Dielectric, ignore_normals),
+    {ORIEL_PARAM(DielectricMaterial, ior_out), .min = 0,
+     .doc = "Index of refraction outside; 0 = 1.", .declared_default = false},
+    {ORIEL_PARAM(DielectricMaterial, ignore_normals),
      .doc = "Whether ray depth decides between inside and outside; ignored, the normal "
             "decides.",
      .support = Support::Ignored, .declared_default = false},
-    {ORIEL_PARAM(Dielectric, phong_coef), .min = 0,
+    {ORIEL_PARAM(DielectricMaterial, phong_coef), .min = 0,
      .doc = "Exponent of highlights of lights; 0 = none.", .support = Support::Approximated,
      .declared_default = false},
-    {ORIEL_PARAM(Dielectric, lights), .doc = "Light list.", .declared_default = false},
-    {ORIEL_PARAM(Dielectric, mode), .doc = kMode, .declared_default = false},
+    {ORIEL_PARAM(DielectricMaterial, lights), .doc = "Light list.", .declared_default = false},
+    {ORIEL_PARAM(DielectricMaterial, mode), .doc = kMode, .declared_default = false},
 };
 /// The rows of a photon shader; parameters that do not affect photons are ignored.
 template <std::size_t N>
@@ -93,7 +93,7 @@ constexpr std::array<ParamSpec, N> photon_rows(const ParamSpec (&rows)[N]) {
   return all;
 }
 constexpr auto kDgsPhotonRows = photon_rows(kDgsRows);
-constexpr auto kDielectricPhotonRows = photon_rows(kDielectricRows);
+constexpr auto kDielectricMaterialPhotonRows = photon_rows(kDielectricMaterialRows);
 constexpr ParamSpec kPhotonBasicRows[] = {
     {ORIEL_PARAM(PhotonBasic, diffuse), .doc = "Fraction scattered diffusely.",
      .declared_default = false},
@@ -106,12 +106,12 @@ constexpr ParamSpec kPhotonBasicRows[] = {
      .declared_default = false},
 };
 
-float or_one(float index) { return index > 0 ? index : 1; }
+float index_or_one(float index) { return index > 0 ? index : 1; }
 
 /// Index of the far side divided by that of the viewer's side, for a solid of index `inside` in
 /// `outside`; clamped, because refracted directions degenerate beyond.
 float ratio(const ShadingPoint& point, float inside, float outside = 1) {
-  const float eta = or_one(inside) / or_one(outside);
+  const float eta = index_or_one(inside) / index_or_one(outside);
   return clamp(point.back_side ? 1 / eta : eta, 0.1f, 10);
 }
 
@@ -167,8 +167,8 @@ int dgs_lobes(const ShaderNode& node) {
   return through ? 6 : 3;
 }
 
-void dielectric(const Call& call, Closure& closure) {
-  const auto& p = call.as<Dielectric>();
+void dielectric_material(const Call& call, Closure& closure) {
+  const auto& p = call.as<DielectricMaterial>();
   const ShadingPoint& point = call.point;
   closure.light_mode = p.mode;
   closure.lights = p.lights;
@@ -204,7 +204,7 @@ void photon_basic(const Call& call, Closure& closure) {
   add(LobeKind::Diffuse, LobeType::Diffuse, rgb(p.diffuse), Frame(normal), closure);
   add(LobeKind::Mirror, LobeType::Reflection, rgb(p.specular),
       Frame(reflecting_outward(normal, call.point)), closure);
-  const float eta = clamp(or_one(p.ior_frac), 0.1f, 10);
+  const float eta = clamp(index_or_one(p.ior_frac), 0.1f, 10);
   const Rgb transp = rgb(p.transp);
   if (is_black(transp)) return;
   add(eta == 1 ? LobeKind::ThinTransmission : LobeKind::ClearRefraction, LobeType::Refraction,
@@ -258,9 +258,9 @@ const ShaderSpec kDielectricMaterial = {
     .version = 2,
     .apply = kApplyMaterial,
     .doc = "Dielectric with Fresnel reflection and refraction and absorption inside.",
-    .params = kDielectricRows,
-    .params_size = sizeof(Dielectric),
-    .material = {.fill = dielectric,
+    .params = kDielectricMaterialRows,
+    .params_size = sizeof(DielectricMaterial),
+    .material = {.fill = dielectric_material,
                  .may_transmit = always,
                  .max_lobes = [](const ShaderNode&) { return 3; }},
 };
@@ -271,9 +271,9 @@ const ShaderSpec kDielectricMaterialPhoton = {
     .version = 2,
     .apply = kApplyPhoton,
     .doc = "Photon shader of a material: scatters photons instead of the surface shader.",
-    .params = kDielectricPhotonRows,
-    .params_size = sizeof(Dielectric),
-    .material = {.fill = dielectric,
+    .params = kDielectricMaterialPhotonRows,
+    .params_size = sizeof(DielectricMaterial),
+    .material = {.fill = dielectric_material,
                  .may_transmit = always,
                  .max_lobes = [](const ShaderNode&) { return 3; }},
 };

@@ -20,7 +20,7 @@ constexpr std::size_t kProbe = 1000;
 /// A caster of fewer photons of the probe is not judged.
 constexpr int kFewest = 10;
 /// The search is used for casters of which it finds at least this share of the chains.
-constexpr float kLeastFound = 0.5f;
+constexpr float kLeastShareFound = 0.5f;
 /// Size of the smallest cells of starts, in radii of photon estimates.
 constexpr float kCell = 0.5f;
 /// Maximum number of lights whose direct light is compared with caustics.
@@ -177,8 +177,8 @@ class ManifoldBuilder {
     }
     bool any = false;
     for (std::size_t i = 0; i < failed_.size(); ++i) {
-      const bool fails = tried[i] >= kFewest &&
-                         static_cast<float>(found[i]) < kLeastFound * static_cast<float>(tried[i]);
+      const bool fails = tried[i] >= kFewest && static_cast<float>(found[i]) <
+                                                    kLeastShareFound * static_cast<float>(tried[i]);
       failed_[i] = fails ? 1 : 0;
       any |= fails;
     }

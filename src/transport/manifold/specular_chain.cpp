@@ -10,8 +10,8 @@ namespace {
 /// Maximum number of Newton steps and of times that a step is shortened.
 constexpr int kMostSteps = 10, kMostCuts = 3;
 /// A chain ends at the target if it misses it by less than this angle (radians), and if Newton's
-/// next step is smaller than kSettled.
-constexpr float kMiss = 1e-3f, kSettled = 2e-4f;
+/// next step is smaller than kSettledStep.
+constexpr float kMiss = 1e-3f, kSettledStep = 2e-4f;
 /// Longest step, radians.
 constexpr float kLongestStep = 0.3f;
 /// A step must reduce the miss to this share.
@@ -197,7 +197,7 @@ std::optional<SpecularChain> find_chain(const World& world, const ChainReceiver&
     Vec2 step;
     if (!step_of(arrival, step)) return std::nullopt;
     const float size = step.length();
-    if (arrival.angle < kMiss && size < kSettled) return chain;
+    if (arrival.angle < kMiss && size < kSettledStep) return chain;
     if (size > kLongestStep) step *= kLongestStep / size;
     const Frame frame(chain.first);
     bool better = false;

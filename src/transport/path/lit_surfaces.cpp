@@ -23,7 +23,7 @@ constexpr int kSurfaces = 4, kMaxTransparent = 8;
 /// Share of lit surfaces from which on rays find them often enough.
 constexpr float kMostLit = 0.15f;
 /// Fewer lit surfaces say too little about where they are.
-constexpr std::size_t kLeastFound = 16;
+constexpr std::size_t kFewestFound = 16;
 /// Cells along each side of the rectangle of a light.
 constexpr std::size_t kCells = 64;
 
@@ -218,7 +218,7 @@ void LitSurfaces::add_beam(int light, const std::vector<Lit>& lit) {
   std::size_t count = 0;
   for (const Lit& l : lit)
     if (l.light == light) sum += Imath::V3d(l.position), ++count;
-  if (count < kLeastFound) return;
+  if (count < kFewestFound) return;
   place(beam, Vec3(sum / static_cast<double>(count)));
   const auto on_rectangle = [&](const Vec3& p) {
     return Vec2(dot(p - beam.origin, beam.frame.s), dot(p - beam.origin, beam.frame.t));

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/best_settings.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace oriel {
+namespace {
+
+/// Pilot paths compare noise and rays, but not the time of look-ups in the guide. In nine scenes,
+/// pictures with a guide gain .81 to 1.05 of what pilot paths find (mean .9), with a guide and two
+/// diffuse rays .88 to 1.15.
+constexpr float kKeptWithGuide = 0.9f;
+/// Pilot paths of two choices differ by chance by about a tenth: a choice has to gain this many
+/// times as much as the best one before it.
+constexpr float kClearlyBetter = 1.08f;
+/// Pilot paths of each choice as a share of the picture's paths, and their pixels.
+constexpr double kPilotShare = 0.01;
+constexpr double kFewestPilotPixels = 256, kMostPilotPixels = 4096;
+
+}  // namespace
+
+bool BestSettings::improve(const PathSettings& settings, float worthwhile) {
+  if (!pilots_) pilots_ = trace(settings_);
+  PilotPaths pilots = trace(settings);
+  const float kept = settings.guide && settings.diffuse_rays == 1 ? kKeptWithGuide : 1;
+  const float gain = kept * pilots.compare(*pilots_).efficiency();
+  if (gain < (next_ ? kClearlyBetter * next_->gain : worthwhile)) return false;
+  next_ = Next{settings, std::move(pilots), gain};
+  return true;
+}
+
+void BestSettings::settle() {
+  if (!next_) return;
+  settings_ = next_->settings;
+  pilots_ = std::move(next_->pilots);
+  next_.reset();
+}
+
+void BestSettings::restart(const PathSettings& settings) {
+  settings_ = settings;
+  pilots_.reset();
+  next_.reset();
+}
+
+PilotPaths BestSettings::trace(const PathSettings& settings) const {
+  const double wanted = kPilotShare * p_.paths / kPilotPathsOfPixel;
+  return {world_,
+          p_.picture,
+          settings,
+          p_.seed,
+          p_.counts,
+          static_cast<std::size_t>(std::clamp(wanted, kFewestPilotPixels, kMostPilotPixels))};
+}
+
+}  // namespace oriel
