@@ -27,6 +27,16 @@ def up(v):
     return mathutils.Vector((v[0], -v[2], v[1]))
 
 
+def fresnel_of_both_sides(tree, node, ior):
+    """The node inverts the index of a back side, so that it gets the inverse there."""
+    face, index, fresnel = node("ShaderNodeNewGeometry"), node("ShaderNodeMath"), node("ShaderNodeFresnel")
+    index.operation = "MULTIPLY_ADD"
+    index.inputs[1].default_value, index.inputs[2].default_value = 1 / ior - ior, ior
+    tree.links.new(face.outputs["Backfacing"], index.inputs[0])
+    tree.links.new(index.outputs[0], fresnel.inputs["IOR"])
+    return fresnel
+
+
 def transparent_shadows(tree, node, glass, ior):
     """Glass that shadow rays, and all rays behind a diffuse bounce, pass without refraction."""
     path, either = node("ShaderNodeLightPath"), node("ShaderNodeMath")
@@ -36,14 +46,8 @@ def transparent_shadows(tree, node, glass, ior):
     thin, choice = node("ShaderNodeMixShader"), node("ShaderNodeMixShader")
     mirror = node("ShaderNodeBsdfGlossy", (1, 1, 1), Roughness=0)
     mirror.distribution = "SHARP"
-    # Rays that were not bent meet both faces at the angle outside: the node inverts the index of a
-    # back side, so that it gets the inverse there.
-    face, index, fresnel = node("ShaderNodeNewGeometry"), node("ShaderNodeMath"), node("ShaderNodeFresnel")
-    index.operation = "MULTIPLY_ADD"
-    index.inputs[1].default_value, index.inputs[2].default_value = 1 / ior - ior, ior
-    tree.links.new(face.outputs["Backfacing"], index.inputs[0])
-    tree.links.new(index.outputs[0], fresnel.inputs["IOR"])
-    tree.links.new(fresnel.outputs[0], thin.inputs[0])
+    # Rays that were not bent meet both faces at the angle outside.
+    tree.links.new(fresnel_of_both_sides(tree, node, ior).outputs[0], thin.inputs[0])
     tree.links.new(node("ShaderNodeBsdfTransparent", (1, 1, 1)).outputs[0], thin.inputs[1])
     tree.links.new(mirror.outputs[0], thin.inputs[2])
     tree.links.new(either.outputs[0], choice.inputs[0])
@@ -108,8 +112,7 @@ def node_material(name, m, pictures):
         coat = node("ShaderNodeBsdfGlossy", (1, 1, 1), Roughness=m["roughness"])
         coat.distribution = "MULTI_GGX"
         surface = node("ShaderNodeMixShader")
-        fresnel = node("ShaderNodeFresnel", IOR=1.5)
-        tree.links.new(fresnel.outputs[0], surface.inputs[0])
+        tree.links.new(fresnel_of_both_sides(tree, node, 1.5).outputs[0], surface.inputs[0])
         tree.links.new(diffuse().outputs[0], surface.inputs[1])
         tree.links.new(coat.outputs[0], surface.inputs[2])
     if "bump" in m:

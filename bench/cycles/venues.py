@@ -18,7 +18,8 @@ def gallery():
         lip0, lip1 = sorted((side * 2.62, side * 2.58))
         s0, s1 = sorted((side * 2.9, side * 2.84))
         meshes += [box("white", (-5, 3.3, z0), (5, 3.34, z1)), box("white", (-5, 3.34, lip0), (5, 3.46, lip1)),
-                   box("strip", (-4.9, 3.35, s0), (4.9, 3.37, s1))]
+                   # In pieces: Cycles 3.4 shows a tenth less light of triangles 490 times as long as wide.
+                   *[box("strip", (-4.9 + .2 * k, 3.35, s0), (-4.7 + .2 * k, 3.37, s1)) for k in range(49)]]
     lights = []
     rng = random.Random(21)
     for k in range(12):
@@ -109,7 +110,7 @@ def gems():
              "stone": {"kind": "glass", "ior": 1.76, "straight": False},
              "gold": {"kind": "metal", "colour": (.95, .7, .35), "roughness": .25},
              "steel": {"kind": "metal", "colour": (.75, .75, .78), "roughness": .4}}
-    return {"meshes": meshes, "materials": kinds, "lights": lamps, "probe": True, "background": .15,
+    return {"meshes": meshes, "materials": kinds, "lights": lamps, "probe": True, "background": 1.0,
             "bounces": 16, "camera": camera((0, .75, 1.3), (0, .05, -.05), .9)}
 
 
