@@ -53,7 +53,9 @@ def gloss(roughness):
 
 
 def material(m):
-    p = {"diffuse": (.5, .5, .5), "diffuse_weight": 1.0, "reflectivity": 0.0}
+    # The default limits of the material, 5, would be below those of the options.
+    p = {"diffuse": (.5, .5, .5), "diffuse_weight": 1.0, "reflectivity": 0.0,
+         "refl_depth": 0, "refr_depth": 0}
     if m["kind"] == "diffuse":
         p["diffuse"] = m["diffuse"]
     elif m["kind"] in ("metal", "brushed", "plastic"):
@@ -73,8 +75,7 @@ def material(m):
                   "refr_color": (1, 1, 1), "refr_trans_color": tuple(c / share for c in m["through"])})
     elif m["kind"] == "mirror":
         p.update({"reflectivity": 1.0, "refl_gloss": 1.0, "refl_color": m["colour"],
-                  "brdf_0_degree_refl": 1.0, "brdf_90_degree_refl": 1.0, "diffuse_weight": 0.0,
-                  "refl_depth": 0})
+                  "brdf_0_degree_refl": 1.0, "brdf_90_degree_refl": 1.0, "diffuse_weight": 0.0})
     else:
         # The blur of the material does not depend on the index of refraction: at 1.5 microfacets
         # turn light through a pane by about a quarter of the angle.
