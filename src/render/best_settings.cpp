@@ -11,10 +11,11 @@ namespace {
 /// pictures with a guide gain .81 to 1.05 of what pilot paths find (mean .9), with a guide and two
 /// diffuse rays .88 to 1.15.
 constexpr float kKeptWithGuide = 0.9f;
-/// Pilot paths of two choices differ by chance by about a tenth: a choice has to gain this many
-/// times as much as the best one before it.
+/// The gain of a choice is measured with an error of about a tenth: a choice replaces the best one
+/// before it if it gains this many times as much.
 constexpr float kClearlyBetter = 1.08f;
-/// Pilot paths of each choice as a share of the picture's paths, and their pixels.
+/// Number of pilot paths of each choice, as a share of the number of paths of the picture; limits
+/// of the number of their pixels.
 constexpr double kPilotShare = 0.01;
 constexpr double kFewestPilotPixels = 256, kMostPilotPixels = 4096;
 

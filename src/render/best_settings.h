@@ -12,7 +12,8 @@ namespace oriel {
 /// Settings of paths that are chosen in steps.
 ///
 /// Model:   each step compares some choices with the settings before it and keeps the best one, if
-///          that gains enough. Pilot paths of each choice are a hundredth of the picture's.
+///          that gains enough. Each choice has a hundredth as many pilot paths as the picture has
+///          paths, within limits.
 class BestSettings {
  public:
   /// Gain from which on a choice is kept; the comparison is noisy.
@@ -26,10 +27,10 @@ class BestSettings {
   /// Compares the settings with those before this step. Returns whether they gain clearly more than
   /// all others of the step; these are kept for settle(). Inputs:  worthwhile: least gain.
   bool improve(const PathSettings& settings, float worthwhile = kWorthwhile);
-  /// Ends a step: the best of it are the settings.
+  /// Ends a step: its best choice becomes the settings, if one gained enough.
   void settle();
-  /// Starts again with settings whose paths may differ from those before, for example as they read
-  /// other caches.
+  /// Continues with other settings, or with the same ones after a change of the caches they point
+  /// to: their pilot paths are traced again.
   void restart(const PathSettings& settings);
 
  private:

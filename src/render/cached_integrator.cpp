@@ -111,9 +111,10 @@ void CachedIntegrator::find_lit_surfaces(const IntegratorPreparation& p, BestSet
   if (lit_.empty() || p.monitor.cancelled()) return;
   PathSettings sampled = best.settings();
   sampled.lit = &lit_;
-  best.improve(sampled);
-  best.settle();
-  if (!best.settings().lit) lit_ = {};
+  if (best.improve(sampled))
+    best.settle();
+  else
+    lit_ = {};
 }
 
 /// Only paths that trace diffuse bounces learn.

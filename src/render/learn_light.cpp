@@ -117,9 +117,10 @@ LearnedLight learn_light(const World& world, const IntegratorPreparation& p, Bes
     if (part.empty()) return;
     with = best.settings();
     with.*used = &part;
-    best.improve(with);
-    best.settle();
-    if (!(best.settings().*used)) part = {};
+    if (best.improve(with))
+      best.settle();
+    else
+      part = {};
   };
   learned.lights = learn_lights(world, p, records);
   keep_if_better(learned.lights, &PathSettings::lights);
