@@ -56,11 +56,22 @@ class Reader {
 
   /// Errors:  EndedBefore, ProcessEnded; std::runtime_error if the file cannot be read.
   reader::Reply ask(const reader::Request& request, int descriptor = -1) {
+    return ask_within(seconds_, request, descriptor);
+  }
+
+  const std::byte* arena() const { return process_->memory().data(); }
+
+ private:
+  static constexpr double kLeastSeconds = 4;
+  /// For a start on a busy machine, which no file delays.
+  static constexpr double kStartSeconds = 60;
+
+  reader::Reply ask_within(double seconds, const reader::Request& request, int descriptor) {
     if (!is_running() || !process_->send(&request, sizeof request, descriptor))
       throw EndedBefore("the process that decodes it has ended");
     reader::Reply reply;
     try {
-      if (process_->receive(&reply, sizeof reply, seconds_) != sizeof reply) {
+      if (process_->receive(&reply, sizeof reply, seconds) != sizeof reply) {
         process_->end();
         throw ProcessEnded("crashed");
       }
@@ -73,11 +84,6 @@ class Reader {
     if (reply.good != 1) throw std::runtime_error(printable(reply.error));
     return reply;
   }
-
-  const std::byte* arena() const { return process_->memory().data(); }
-
- private:
-  static constexpr double kLeastSeconds = 4;
 
   /// Text of an untrusted process.
   static std::string printable(const char* text) {
@@ -93,7 +99,7 @@ class Reader {
                                      kProcessorSeconds, kArenaBytes});
     ++generation_;
     reader::Request ready;
-    ask(ready);
+    ask_within(kStartSeconds, ready, -1);
   }
 
   static constexpr std::size_t kProcessorSeconds = 24 * 3600;

@@ -125,7 +125,10 @@ TEST_F(ReaderProcess, HostileReadersGiveOneMessage) {
            {"channels", "unsupported size"}}) {
     const std::string path = file(name);
     write(name, "any");
-    EXPECT_EXIT(read_with_hostile_reader(path, .3), testing::ExitedWithCode(0), message) << name;
+    // Only the process that hangs has little time, since the others may run on a busy machine.
+    const double seconds = std::string_view(name) == "hang" ? .3 : 60;
+    EXPECT_EXIT(read_with_hostile_reader(path, seconds), testing::ExitedWithCode(0), message)
+        << name;
   }
 }
 
