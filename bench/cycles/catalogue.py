@@ -2,6 +2,7 @@
 """The scenes of the comparison by name."""
 import functools
 
+import drawn
 import effects
 import everyday
 import hard
@@ -24,3 +25,9 @@ SCENES = {"cornell": scenes.cornell, "sky_room": scenes.sky_room, "sun_room": sc
           "frosted": effects.frosted, "atrium": effects.atrium,
           "gallery": venues.gallery, "lounge": venues.lounge, "blinds": venues.blinds,
           "gems": venues.gems, "terrace": venues.terrace}
+# Written on request only.
+DRAWN = {f"drawn_{k}": functools.partial(drawn.scene, k) for k in range(1, 1000)}
+
+
+def scene(name):
+    return {**SCENES, **DRAWN}[name]()

@@ -25,13 +25,13 @@ class BestSettings {
 
   const PathSettings& settings() const { return settings_; }
   /// Compares the settings with those before this step. Returns whether they gain clearly more than
-  /// all others of the step; these are kept for settle(). Inputs:  worthwhile: least gain.
-  bool improve(const PathSettings& settings, float worthwhile = kWorthwhile);
+  /// all others of the step; these are kept for settle().
+  bool improve(const PathSettings& settings);
+  /// Whether the settings of photons gain enough over those without, whose rays find the same light
+  /// by chance.
+  bool need_photons(const PathSettings& without);
   /// Ends a step: its best choice becomes the settings, if one gained enough.
   void settle();
-  /// Continues with other settings, or with the same ones after a change of the caches they point
-  /// to: their pilot paths are traced again.
-  void restart(const PathSettings& settings);
 
  private:
   PilotPaths trace(const PathSettings& settings) const;

@@ -34,9 +34,6 @@ constexpr double kLeastPathsForLit = 1 << 17;
 /// balls).
 constexpr double kPathsOfPhoton = 40, kFewestOfLights = 20000, kMostOfLights = 300000;
 constexpr double kDecidingShare = 0.25;
-/// Photons replace rays that find caustics if pilot paths gain at least this much. The gain does
-/// not count the time of photons and look-ups: paths of rooms take 1.2 to 1.5 times as long.
-constexpr float kWorthwhilePhotons = 1.4f;
 
 /// Whether rays that leave surfaces and photons that arrive there may find the same caustics.
 bool all_cast_and_receive(const World& world) {
@@ -88,16 +85,18 @@ void CachedIntegrator::prepare(const IntegratorPreparation& given) {
   maps_.rarely_found = nullptr;  // of an earlier preparation
   if (plan_.sharp_caustics) trace_sharp_caustics(p);
   if (plan_.global || plan_.caustic) trace_photon_maps(p);
-  BestSettings best(world_, p, path_settings());
-  trace_rarely_found(p, best);
+  try_rarely_found(p);
   if (plan_.gather) gather(p);
-  if (plan_.bounces) {
-    cache_bounces(gather_passes(p.seed), p);
-    best.restart(path_settings());
-  }
+  if (plan_.bounces) cache_bounces(gather_passes(p.seed), p);
   if (p.share && !std::exchange(helped_, true)) p.share->from_leader({});
+  BestSettings best(world_, p, path_settings());
   find_lit_surfaces(p, best);
-  if (learns()) learned_ = learn_light(world_, p, std::move(best));
+  if (learns()) {
+    IndirectCaches without = maps_;
+    without.rarely_found = nullptr;
+    learned_ = learn_light(world_, p, std::move(best), maps_.rarely_found ? &without : nullptr);
+    settle_rarely_found(p);
+  }
   if (!caches_only() && !p.monitor.cancelled())
     grid_.emplace(world_, path_settings(), p.seed, p.counts);
   prepared_ = !p.monitor.cancelled();
@@ -171,25 +170,32 @@ void CachedIntegrator::use_chains() {
   maps_.missed_lookup.radius *= kMissedRadius;
 }
 
-/// Nothing where paths do not learn, or find caustics with little noise.
-void CachedIntegrator::trace_rarely_found(const IntegratorPreparation& p, BestSettings& best) {
+/// A few photons of light that rays find rarely, by which pilot paths decide. None where paths do
+/// not learn.
+void CachedIntegrator::try_rarely_found(const IntegratorPreparation& p) {
   if (!learns() || !may_learn(world_, p.paths) || p.monitor.cancelled()) return;
   if (path_settings().further_bounces != Rgb(1) || !all_cast_and_receive(world_)) return;
   SharpCaustics lights(world_, CausticLights::RarelyFound);
   if (lights.empty()) return;
+  trace_rarely_found(p, std::move(lights), kDecidingShare);
+  if (!rarely_found_.map.empty()) maps_.rarely_found = &rarely_found_;
+}
+
+void CachedIntegrator::trace_rarely_found(const IntegratorPreparation& p, SharpCaustics lights,
+                                          double share) {
   const double photons = std::clamp(p.paths / kPathsOfPhoton, kFewestOfLights, kMostOfLights);
-  rarely_found_ = photons_of_found_lights(world_, p, lights, kDecidingShare * photons);
-  IndirectCaches found = maps_;
-  found.rarely_found = &rarely_found_;
-  PathSettings with = best.settings();
-  with.maps = &found;
-  if (rarely_found_.map.empty() || !best.improve(with, kWorthwhilePhotons)) {
-    rarely_found_ = {};
+  rarely_found_ = photons_of_found_lights(world_, p, std::move(lights), share * photons);
+}
+
+/// Rays find caustics with little noise, or photons bring them.
+void CachedIntegrator::settle_rarely_found(const IntegratorPreparation& p) {
+  if (!maps_.rarely_found) return;
+  if (learned_.needs_photons && !p.monitor.cancelled()) {
+    trace_rarely_found(p, std::move(rarely_found_.of), 1);
     return;
   }
-  rarely_found_ = photons_of_found_lights(world_, p, std::move(lights), photons);
-  maps_.rarely_found = &rarely_found_;
-  best.restart(path_settings());
+  rarely_found_ = {};
+  maps_.rarely_found = nullptr;
 }
 
 void CachedIntegrator::use_photon_maps() {

@@ -67,7 +67,9 @@ class CachedIntegrator final : public Integrator {
   bool learns() const;
   void trace_sharp_caustics(const IntegratorPreparation& p);
   void use_chains();
-  void trace_rarely_found(const IntegratorPreparation& p, BestSettings& best);
+  void try_rarely_found(const IntegratorPreparation& p);
+  void trace_rarely_found(const IntegratorPreparation& p, SharpCaustics lights, double share);
+  void settle_rarely_found(const IntegratorPreparation& p);
   template <class In>
   void restore_rarely_found(In& in);
   void trace_photon_maps(const IntegratorPreparation& p);

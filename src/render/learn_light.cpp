@@ -101,7 +101,8 @@ double needed_paths(const World& world, const IntegratorPreparation& p,
   return std::min(p.paths, of_pixel * p.picture.width() * p.picture.height());
 }
 
-LearnedLight learn_light(const World& world, const IntegratorPreparation& p, BestSettings best) {
+LearnedLight learn_light(const World& world, const IntegratorPreparation& p, BestSettings best,
+                         const IndirectCaches* without_photons) {
   if (!may_learn(world, p.paths)) return {};
   p.monitor.report("guiding", 0);
   GatherSettings of_records = gather_settings(world.options, world.accel->bounds());
@@ -137,6 +138,11 @@ LearnedLight learn_light(const World& world, const IntegratorPreparation& p, Bes
       if (!best.improve(with) && rays > 1) break;
     }
   best.settle();
+  if (without_photons) {
+    with = best.settings();
+    with.maps = without_photons;
+    learned.needs_photons = best.need_photons(with);
+  }
   if (!best.settings().guide) learned.guide = {};
   learned.diffuse_rays = best.settings().diffuse_rays;
   const double rays = p.paths * kRaysForEachPath / double(records.points.size());

@@ -16,6 +16,8 @@ struct LearnedLight {
   LearnedLights emitters;         ///< for the choice of parts of the mesh lights
   DirectionGuide guide;           ///< for diffuse bounces
   std::int32_t diffuse_rays = 1;  ///< see PathSettings
+  /// Whether photons of light that rays find rarely gain; what is used of them is not here.
+  bool needs_photons = false;
   std::size_t bytes() const { return lights.bytes() + emitters.bytes() + guide.bytes(); }
 
   /// Writes it to a CheckpointWriter, or reads it from a CheckpointReader.
@@ -42,8 +44,10 @@ double needed_paths(const World& world, const IntegratorPreparation& p,
 /// part is empty if the picture has so few paths that learning costs more than it saves, if pilot
 /// paths show no gain, or if cancelled.
 ///
-/// Inputs:  best: of the paths, which learned nothing.
+/// Inputs:  best: of the paths, which learned nothing; without_photons: the caches of the paths
+///          without photons of light that rays find rarely, null if there are none.
 /// Checked: Guiding.*, GuidedPictures.*, ManyLamps.* in tests/cross_method
-LearnedLight learn_light(const World& world, const IntegratorPreparation& p, BestSettings best);
+LearnedLight learn_light(const World& world, const IntegratorPreparation& p, BestSettings best,
+                         const IndirectCaches* without_photons);
 
 }  // namespace oriel

@@ -41,6 +41,10 @@ double cost_of(const RayCounts& counts) {
          kShadowCost * static_cast<double>(counts.shadow);
 }
 
+float ratio_of(double own, double of_others) {
+  return own > 0 ? static_cast<float>(of_others / own) : of_others > 0 ? kMostRatio : 1.0f;
+}
+
 float mean_of_darkest(std::vector<float>& block) {
   if (block.empty()) return 0;
   std::sort(block.begin(), block.end());
@@ -157,13 +161,28 @@ double PilotPaths::noise_of_path() const {
   return noise(levels(*this, *this), *this) * (kSamplesOfMean / 2.0);
 }
 
+PilotComparison PilotPaths::compare_finds(const PilotPaths& others) const {
+  if (pixels_.empty()) return {};
+  const std::vector<Rgb> light = levels(*this, others);
+  double found = 0;
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const auto by_chance = [&](std::size_t k) {
+      return others.pixels_[i].means[k] - pixels_[i].means[k];
+    };
+    const Rgb difference = by_chance(0) - by_chance(1);
+    for (int c = 0; c < 3; ++c)
+      if (light[i][c] > 0) found += static_cast<double>(sqr(difference[c] / light[i][c])) / 3;
+  }
+  found /= static_cast<double>(pixels_.size());
+  const double own = noise(light, *this);
+  return {ratio_of(own, own + found), ratio_of(cost_, others.cost_)};
+}
+
 PilotComparison PilotPaths::compare(const PilotPaths& others) const {
   if (pixels_.empty()) return {};
   const std::vector<Rgb> light = levels(*this, others);
-  const auto ratio = [](double own, double of_others) {
-    return own > 0 ? static_cast<float>(of_others / own) : of_others > 0 ? kMostRatio : 1.0f;
-  };
-  return {ratio(noise(light, others), others.noise(light, *this)), ratio(cost_, others.cost_)};
+  return {ratio_of(noise(light, others), others.noise(light, *this)),
+          ratio_of(cost_, others.cost_)};
 }
 
 }  // namespace oriel

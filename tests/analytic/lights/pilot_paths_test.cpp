@@ -87,6 +87,23 @@ TEST(PilotPaths, KnowTheNoiseOfAPath) {
   EXPECT_LT(pilots.noise_of_path(), 1.6 * expected);
 }
 
+TEST(PilotPaths, CountRareFindsAsNoise) {
+  // Beside a large lamp, one of about 900 rays finds an emissive square of .06 x .06 at distance
+  // 1. Samples of the square have hardly any noise.
+  SceneText scene = lamp_over_floor(.5f);
+  scene.emitter("glow", 3).polygon("glow", {Vec3(-.03f, .03f, 1), Vec3(.03f, .03f, 1),
+                                            Vec3(.03f, -.03f, 1), Vec3(-.03f, -.03f, 1)});
+  const Probe probe(scene);
+  RayCounts counts;
+  PathSettings settings;
+  const PilotPaths samples(probe.world(), {0, 0, 32, 32}, settings, 0, counts, 4096);
+  settings.mesh_lights = false;
+  const PilotPaths rays(probe.world(), {0, 0, 32, 32}, settings, 0, counts, 4096);
+  // They are in less than a hundredth of the pixels, which compare() leaves out.
+  EXPECT_GT(samples.compare_finds(rays).efficiency(), 5 * samples.compare(rays).efficiency());
+  EXPECT_EQ(samples.compare_finds(samples).efficiency(), 1);
+}
+
 TEST(PilotPaths, DoNotDependOnTheNumberOfThreads) {
   const Probe probe(lamp_over_floor(.1f));
   const float many = ratio(probe.world(), Estimator::Mis, Estimator::BsdfOnly);
