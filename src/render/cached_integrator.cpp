@@ -187,7 +187,7 @@ void CachedIntegrator::trace_rarely_found(const IntegratorPreparation& p, SharpC
   rarely_found_ = photons_of_found_lights(world_, p, std::move(lights), share * photons);
 }
 
-/// Rays find caustics with little noise, or photons bring them.
+/// Replaces the few photons by all of them, or by none if paths need none.
 void CachedIntegrator::settle_rarely_found(const IntegratorPreparation& p) {
   if (!maps_.rarely_found) return;
   if (learned_.needs_photons && !p.monitor.cancelled()) {

@@ -16,7 +16,7 @@ struct LearnedLight {
   LearnedLights emitters;         ///< for the choice of parts of the mesh lights
   DirectionGuide guide;           ///< for diffuse bounces
   std::int32_t diffuse_rays = 1;  ///< see PathSettings
-  /// Whether photons of light that rays find rarely gain; what is used of them is not here.
+  /// Whether photons should bring the light that rays find rarely. Not part of the state.
   bool needs_photons = false;
   std::size_t bytes() const { return lights.bytes() + emitters.bytes() + guide.bytes(); }
 
