@@ -325,7 +325,7 @@ def main():
         a = json.load(f)
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scenes.WIDTH, scenes.HEIGHT = a["size"]
-    scene = catalogue.scene(a["scene"])
+    scene = catalogue.ALL[a["scene"]]()
     scene["pictures"] = a["pictures"]
     build(scene, a["probe"], a["profile"], a["sun"])
     settings(scene, 1, a["seed"], a["threads"], 0)

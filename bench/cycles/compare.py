@@ -50,7 +50,7 @@ class Oriel:
         self.program, self.noise, self.more = args.oriel, args.adaptive, more
         self.file, self.out = (os.path.join(folder, f) for f in (name + ".mi", "oriel.exr"))
         self.probe, self.profile, self.sun = args.probe, os.path.join(folder, "profile.ies"), None
-        scene = catalogue.scene(name)
+        scene = catalogue.ALL[name]()
         scene["pictures"] = self.pictures = {n: self.paint(n, base, folder) for n, base in
                                              scene.get("pictures", {}).items()}
         if "profile" in scene:
@@ -210,7 +210,7 @@ def parser_of(doc):
 def parsed(parser):
     """Arguments with absolute paths and all scenes if none are given."""
     args = parser.parse_args()
-    unknown = [s for s in args.scenes if s not in {**catalogue.SCENES, **catalogue.DRAWN}]
+    unknown = [s for s in args.scenes if s not in catalogue.ALL]
     if unknown:
         parser.error(f"unknown scenes {unknown}; there are {list(catalogue.SCENES)} and drawn_1 to drawn_999")
     args.oriel, args.probe = os.path.abspath(args.oriel), os.path.abspath(args.probe)

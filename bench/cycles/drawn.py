@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scenes that a random generator draws, as data in the form of scenes.py: scenes that nobody had in mind.
+"""Scenes that a random generator draws, as data in the form of scenes.py.
 
 A scene is a room with or without windows, a studio, or a place outdoors; its size, lights, furniture, materials
 and view are drawn. Nothing overlaps glass, which would be another scene in each program.
@@ -65,7 +65,7 @@ def objects(rng, half_x, half_z, size):
 
 
 def daylight(rng, scene, towards):
-    """Sun and sky, an even sky with or without a sun, or the probe, mostly from a side (x, z)."""
+    """Sun and sky, or an even sky with or without a sun that stands towards (x, z)."""
     x, z = towards[0] + rng.uniform(-.8, .8), towards[1] + rng.uniform(-.8, .8)
     high = math.hypot(x, z) * math.tan(math.radians(rng.uniform(12, 65)))
     kind = rng.choice(("physical", "physical", "even", "sun"))
@@ -135,7 +135,7 @@ def studio(rng):
     scene = {"lights": [], "background": rng.choice((0.0, .1, .5))}
     if rng.random() < .5:
         scene.update(probe=True, background=1.0)
-    for k in range(0 if "probe" in scene else rng.randint(1, 3)):
+    for _ in range(0 if "probe" in scene else rng.randint(1, 3)):
         side, x = rng.uniform(.3, 1.5), rng.uniform(-2.5, 2.5)
         scene["lights"].append({"kind": "area", "centre": (x, rng.uniform(2.5, 4), rng.uniform(-1, 2)),
                                 "across": (side, 0, 0), "up": (0, 0, side), "radiance": 12 / side ** 2})
@@ -172,6 +172,7 @@ def scene(number):
     rng = random.Random(number)
     drawn = rng.choice((room, room, room, studio, outdoors))(rng)
     if "sky" in drawn or any(lamp["kind"] in ("sun", "spot") for lamp in drawn["lights"]):
-        for m in drawn["materials"].values():  # Cycles never finds caustics of lights without extent
-            m.update({"straight": True} if m["kind"] == "glass" else {})
+        # Cycles does not find caustics of a light without extent, and hardly those of the sun.
+        for glass in (m for m in drawn["materials"].values() if m["kind"] == "glass"):
+            glass["straight"] = True
     return drawn

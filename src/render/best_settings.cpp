@@ -16,9 +16,9 @@ constexpr float kKeptWithGuide = 0.9f;
 constexpr float kClearlyBetter = 1.08f;
 /// Photons replace rays that find caustics if pilot paths gain at least this much. The gain does
 /// not count the time of photons and look-ups: paths of rooms take 1.2 to 1.4 times as long. Of
-/// twenty scenes, most of them drawn at random, photons make those with a gain below 1.2 up to a
-/// quarter slower to equal error; of nine above 1.3, seven become 1.1 to 14 times as fast
-/// (bench/paths.md).
+/// twenty scenes, most of them drawn at random, those with a smaller gain than 1.2 lose by photons
+/// up to a fifth of their speed to equal error, and nine with more than 1.3 reach it 1.06 to 14
+/// times as fast (bench/paths.md).
 constexpr float kWorthwhilePhotons = 1.3f;
 /// Number of pilot paths of each choice, as a share of the number of paths of the picture; limits
 /// of the number of their pixels.
@@ -40,7 +40,7 @@ bool BestSettings::improve(const PathSettings& settings) {
 bool BestSettings::need_photons(const PathSettings& without) {
   if (!pilots_) pilots_ = trace(settings_);
   const PilotPaths rays = trace(without);
-  // Finds so rare that no pilot path has one are light that the rays miss.
+  // compare() counts the light that the rays miss, if pilot paths find it too rarely.
   const float gain =
       std::max(pilots_->compare_finds(rays).efficiency(), pilots_->compare(rays).efficiency());
   return gain >= kWorthwhilePhotons;

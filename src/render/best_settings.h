@@ -27,8 +27,8 @@ class BestSettings {
   /// Compares the settings with those before this step. Returns whether they gain clearly more than
   /// all others of the step; these are kept for settle().
   bool improve(const PathSettings& settings);
-  /// Whether the settings of photons gain enough over those without, whose rays find the same light
-  /// by chance.
+  /// Whether the settings, which use photons, gain enough over `without`, whose rays find the same
+  /// light by chance.
   bool need_photons(const PathSettings& without);
   /// Ends a step: its best choice becomes the settings, if one gained enough.
   void settle();

@@ -39,8 +39,8 @@ class PilotPaths {
   /// `others` relative to these. Inputs:  others: of the same window, seed and number of pixels.
   /// Returns: 1 without any light.
   PilotComparison compare(const PilotPaths& others) const;
-  /// The same for others that trace the same paths and find some light by chance that these have
-  /// without noise. What they find is noise even if very few pixels have it.
+  /// The same if `others` trace the same paths and find by chance some light that these have
+  /// without noise. All that they find counts as their noise, even in very few pixels.
   PilotComparison compare_finds(const PilotPaths& others) const;
   /// Squared noise of a pixel that has one path, relative to its light; mean over the pixels.
   double noise_of_path() const;
