@@ -110,10 +110,7 @@ void CachedIntegrator::find_lit_surfaces(const IntegratorPreparation& p, BestSet
   if (lit_.empty() || p.monitor.cancelled()) return;
   PathSettings sampled = best.settings();
   sampled.lit = &lit_;
-  if (best.improve(sampled))
-    best.settle();
-  else
-    lit_ = {};
+  if (!best.improve(sampled)) lit_ = {};
 }
 
 /// Only paths that trace diffuse bounces learn.
