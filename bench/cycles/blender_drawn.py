@@ -10,7 +10,6 @@ differences.py, without its longer picture, processor seconds (those of Oriel in
 its start), the ratio of the times to equal error, and of the means.
 """
 import argparse
-import colorsys
 import math
 import os
 import random
@@ -24,14 +23,13 @@ from mathutils import Vector
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [HERE, os.path.join(HERE, "..", "..", "integrations", "blender")]
-import measure  # noqa: E402  beside this file
+import drawn  # noqa: E402  beside this file
+import measure  # noqa: E402
 import oriel_blender  # noqa: E402
-
-LEFT_OUT = .002
 
 
 def colour(rng, darkest=.05, brightest=.9):
-    return (*colorsys.hsv_to_rgb(rng.random(), rng.random() ** 2, rng.uniform(darkest, brightest)), 1)
+    return (*drawn.colour(rng, darkest, brightest), 1)
 
 
 def texture(rng, tree, target):
@@ -269,7 +267,7 @@ def picture(engine, samples, seed, folder):
         cycles.samples, cycles.seed = samples, seed
         cycles.use_denoising = cycles.use_adaptive_sampling = False
         cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.blur_glossy = 0
-        # Oriel's paths have no limit of diffuse bounces; its trace depth of the extension is 8, 16 in all.
+        # Oriel's paths have no limit of diffuse bounces; the extension limits the others to 16 in all.
         cycles.max_bounces = cycles.diffuse_bounces = 64
         cycles.glossy_bounces = cycles.transmission_bounces = cycles.transparent_max_bounces = 16
     else:
@@ -288,8 +286,7 @@ def compare(seed, args, folder):
             picture(engine, 1, 0, folder)  # loads the scene, which stays
         runs = [picture(engine, args.samples, 1 + k, folder) for k in range(args.pictures)]
         level = sum(p for p, _ in runs) / len(runs)
-        error = numpy.mean([measure.error(a, b, level, LEFT_OUT) / 2
-                            for i, (a, _) in enumerate(runs) for b, _ in runs[:i]])
+        error = measure.noise([p for p, _ in runs], level)
         time_of = numpy.mean([t for _, t in runs])
         cost.append(error * time_of)
         means.append(level.mean())

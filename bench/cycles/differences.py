@@ -20,15 +20,13 @@ sys.path.insert(0, HERE)
 import compare  # noqa: E402  beside this file
 import measure  # noqa: E402
 
-LEFT_OUT = .002
 LONGER = 8
 
 
 def noise(pictures, longer):
     """Mean over the pairs of pictures. Relative to themselves, the error of noisy ones is bounded."""
     level = (sum(pictures) + LONGER * longer) / (len(pictures) + LONGER)
-    return numpy.mean([measure.error(a, b, level, LEFT_OUT) / 2
-                       for i, a in enumerate(pictures) for b in pictures[:i]])
+    return measure.noise(pictures, level)
 
 
 def main():

@@ -9,13 +9,9 @@
 namespace oriel {
 namespace {
 
-/// Pilot paths compare noise and rays, but not the time of look-ups in the guide. In nine scenes,
-/// pictures with a guide gain .81 to 1.05 of what pilot paths find (mean .9), with a guide and two
-/// diffuse rays .88 to 1.15.
-constexpr float kKeptWithGuide = 0.9f;
-/// What a choice usually gains counts as much as pilot paths of this many pixels. Measured gains
-/// have a standard deviation of a fifth with 256 pixels. Pictures of 22 scenes with choices by
-/// measured gains alone have .87 of the speed of the best choice, with this number .92.
+/// The usual gain has the weight of pilot paths of this many pixels. Gains that are measured with
+/// 256 pixels have a standard deviation of a fifth. In 22 scenes, choices by measured gains alone
+/// have .87 of the speed of the best choice, with this weight .92 (bench/paths.md).
 constexpr float kPixelsOfUsual = 256;
 /// Photons replace rays that find caustics if pilot paths gain at least this much. The gain does
 /// not count the time of photons and look-ups: paths of rooms take 1.2 to 1.4 times as long. Of
@@ -45,9 +41,7 @@ void BestSettings::choose(std::span<const Candidate> candidates) {
   float best_gain = 1;
   for (const Candidate& candidate : candidates) {
     PilotPaths pilots = trace(candidate.settings);
-    const bool one_ray = candidate.settings.guide && candidate.settings.diffuse_rays == 1;
-    const float measured =
-        (one_ray ? kKeptWithGuide : 1) * pilots.compare(own_pilots()).efficiency();
+    const float measured = candidate.kept_gain * pilots.compare(own_pilots()).efficiency();
     const float gain = math::pow(measured, trust) * math::pow(candidate.usual_gain, 1 - trust);
     if (gain <= best_gain) continue;
     best = &candidate;

@@ -21,10 +21,10 @@ class BestSettings {
   /// Gain from which on improve() keeps a choice; the comparison is noisy.
   static constexpr float kWorthwhile = 1.1f;
 
-  /// Settings, and how many times as fast pictures usually reach the same noise with them.
   struct Candidate {
     PathSettings settings;
-    float usual_gain = 1;
+    float usual_gain = 1;  ///< how many times as fast pictures usually reach the same noise
+    float kept_gain = 1;   ///< share of what pilot paths find that pictures gain
   };
 
   /// What is passed, and what the settings point to, outlives it.
@@ -34,9 +34,9 @@ class BestSettings {
   const PathSettings& settings() const { return settings_; }
   /// Takes the settings if they gain enough. Returns whether they do.
   bool improve(const PathSettings& settings);
-  /// Takes the candidate with the largest expected gain, if there is one above 1. Expected is a
-  /// mean of the logarithms of what pilot paths find and of what is usual; the more pilot paths,
-  /// the more they count.
+  /// Takes the candidate with the largest expected gain, if that is above 1. The expected gain is a
+  /// geometric mean of the gain that pilot paths find and of the usual one; the weight of the first
+  /// grows with the number of pilot paths.
   void choose(std::span<const Candidate> candidates);
   /// Whether the settings, which use photons, gain enough over `without`, whose rays find the same
   /// light by chance.
