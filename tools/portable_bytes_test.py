@@ -61,7 +61,8 @@ class PortableBytes(ProgramTest):
         """The bytes of the picture."""
         out = self.folder / f"{name}.exr"
         arguments = [self.few_photons() if a == FEW_PHOTONS else a for a in arguments]
-        run = subprocess.run([*before, self.oriel, "render", *arguments, "-o", out, "-q"], cwd=ROOT,
+        run = subprocess.run([*before, self.oriel, "render", *arguments, "--threads", "1", "-o", out,
+                             "-q"], cwd=ROOT,
                              env=dict(os.environ, **environment), capture_output=True, text=True,
                              check=False, timeout=280)
         self.assertEqual(run.returncode, 0, f"{name}: {run.stderr[-2000:]}")

@@ -11,19 +11,13 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <sstream>
 
 #include "command.h"
 
 namespace oriel::app {
 namespace {
-
-CompilerCommand words_of(const std::string& text) {
-  std::istringstream stream(text);
-  CompilerCommand words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
 
 /// Exit code of a program; 128 + signal when one ended it.
 int wait_for(pid_t child) {
@@ -75,6 +69,11 @@ class MessageFile {
 };
 
 }  // namespace
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
 
 Compiler::Compiler(std::string language, std::string option, const std::string& asked,
                    const char* variable, const std::vector<std::string>& usual)

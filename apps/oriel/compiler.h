@@ -8,6 +8,9 @@
 
 namespace oriel::app {
 
+/// The words of a text between blanks.
+std::vector<std::string> words_of(const std::string& text);
+
 /// What compiles: a program and the words that stand before its own arguments ("ccache", "gcc").
 using CompilerCommand = std::vector<std::string>;
 

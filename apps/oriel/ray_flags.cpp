@@ -225,7 +225,7 @@ bool is_word_of(std::string_view form, std::string_view word) {
   return false;
 }
 
-std::vector<std::string> words_of(const std::string& form) {
+std::vector<std::string> words_of_form(const std::string& form) {
   std::vector<std::string> words;
   for (std::size_t at = 0; (at = form.find_first_not_of(" |[]", at)) != form.npos;) {
     const std::size_t end = std::min(form.find_first_of(" |[]", at), form.size());
@@ -260,8 +260,9 @@ class LineReader {
     std::string form = flag.form;
     lengthen_keyword(call, form);
     if (take(call, form)) return call;
-    throw UsageError(fmt::format("-{}: expected {}{}", flag.name, form.empty() ? "no value" : form,
-                                 rest_.empty() ? "" : suggestion(rest_.front(), words_of(form))));
+    throw UsageError(
+        fmt::format("-{}: expected {}{}", flag.name, form.empty() ? "no value" : form,
+                    rest_.empty() ? "" : suggestion(rest_.front(), words_of_form(form))));
   }
 
   /// "filter clip", "finalgather accuracy view": statements of their own in the language.

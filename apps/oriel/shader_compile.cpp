@@ -8,24 +8,13 @@
 #include <atomic>
 #include <exception>
 #include <fstream>
-#include <iterator>
 #include <mutex>
-#include <sstream>
 #include <thread>
 
 #include "base/file_text.h"
 #include "command.h"
 
 namespace oriel::app {
-namespace {
-
-/// The words of a text of flags that CMake sets (cmake/OrielBuild.cmake).
-std::vector<std::string> words_of(const char* flags) {
-  std::istringstream text(flags);
-  return {std::istream_iterator<std::string>(text), {}};
-}
-
-}  // namespace
 
 ShaderCompilers::ShaderCompilers(const std::string& cc, const std::string& cxx,
                                  const std::vector<std::string>& standards, std::string work)

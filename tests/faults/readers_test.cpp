@@ -114,7 +114,7 @@ TEST_F(ReaderProcess, OtherFormatsAreRefusedInEveryMode) {
 
 // acceptance: Z6
 TEST_F(ReaderProcess, HostileReadersGiveOneMessage) {
-  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  ::testing::GTEST_FLAG(death_test_style) = "threadsafe";
   for (const auto& [name, message] : std::initializer_list<std::pair<const char*, const char*>>{
            {"crash", "crashed"},
            {"short", "crashed"},
@@ -127,7 +127,7 @@ TEST_F(ReaderProcess, HostileReadersGiveOneMessage) {
     write(name, "any");
     // Only the process that hangs has little time, since the others may run on a busy machine.
     const double seconds = std::string_view(name) == "hang" ? .3 : 60;
-    EXPECT_EXIT(read_with_hostile_reader(path, seconds), testing::ExitedWithCode(0), message)
+    EXPECT_EXIT(read_with_hostile_reader(path, seconds), ::testing::ExitedWithCode(0), message)
         << name;
   }
 }

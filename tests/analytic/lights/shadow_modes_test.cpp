@@ -55,7 +55,7 @@ const Registry& registry() {
   static const Registry all = test_registry_with({&kTestStep});
   return all;
 }
-Probe probe_of(const SceneText& scene) {
+Probe step_probe_of(const SceneText& scene) {
   step_log().heights.clear();
   step_log().kinds.clear();
   step_log().lights.clear();
@@ -93,7 +93,7 @@ TEST(ShadowModes, OffLetsLightThroughEverything) {
     scene.lambert("wall", .5f).square("wall", Vec3(0, 0, 1), 5, kUp);
     add_filter(scene, "filter", "\"test_step\" ( \"scale\" .5 )");
     scene.square("filter", Vec3(0, 0, 2), 5, kUp);
-    EXPECT_EQ(probe_of(scene).direct_only().onto(Vec3(0), kUp, 40, 64).mean.x, exact) << mode;
+    EXPECT_EQ(step_probe_of(scene).direct_only().onto(Vec3(0), kUp, 40, 64).mean.x, exact) << mode;
     // No calls if nothing has to be decided, or behind an opaque surface.
     EXPECT_TRUE(step_log().heights.empty()) << mode;
   }
@@ -108,7 +108,7 @@ TEST(ShadowModes, ABlockerThatBecomesOpaqueEndsTheShadowRay) {
     scene.square("half", Vec3(0, 0, 1), 5, kUp)
         .square("dark", Vec3(0, 0, 2), 5, kUp)
         .square("half", Vec3(0, 0, 3), 5, kUp);
-    const Probe probe = probe_of(scene);
+    const Probe probe = step_probe_of(scene);
     RayCounts counts;
     ShadingPoint point;
     point.normal = point.geometric_normal = kUp;
@@ -130,7 +130,7 @@ TEST(ShadowModes, SortAndSegmentsCallShadersFromPointToLight) {
       // In the order of the file the far one comes first.
       scene.square(half_first ? "less" : "half", Vec3(0, 0, 2), 5, kUp)
           .square(half_first ? "half" : "less", Vec3(0, 0, 1), 5, kUp);
-      const Measured m = probe_of(scene).direct_only().onto(Vec3(0), kUp, 40, 64);
+      const Measured m = step_probe_of(scene).direct_only().onto(Vec3(0), kUp, 40, 64);
       expect_exact(fmt::format("shadow {}, {} first", mode, half_first ? "half" : "less"), m,
                    half_first ? .5f - .3f : (1 - .3f) * .5f);
       const StepLog& log = step_log();
@@ -154,7 +154,7 @@ TEST(ShadowModes, SegmentsDimTheLightThatShadersSeeByTheThicknessBefore) {
         const float kept = std::string_view(mode) == "segments" ? std::pow(.5f, thick) : 1;
         expect_exact(
             fmt::format("shadow {}, {} of glass {}", mode, thick, glass_first ? "first" : "last"),
-            probe_of(scene).direct_only().onto(Vec3(0), kUp, 40, 64),
+            step_probe_of(scene).direct_only().onto(Vec3(0), kUp, 40, 64),
             glass_first ? kept - .3f : (1 - .3f) * kept);
       }
 }
