@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/fraction.h"
 #include "base/math.h"
 #include "bsdf/facet_reflection.h"
 
@@ -26,7 +27,7 @@ float sampled(float alpha, float eta, float cosine) {
   float sum = 0;
   for (int i = 0; i < kDirections; ++i) {
     const float turn = static_cast<float>(i) * kGolden;
-    const Vec2 u((static_cast<float>(i) + 0.5f) / kDirections, turn - std::floor(turn));
+    const Vec2 u((static_cast<float>(i) + 0.5f) / kDirections, fraction(turn));
     if (const auto s = facets.sample(wo, u, 0.5f)) sum += s->weight;
   }
   return sum / kDirections;

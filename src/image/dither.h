@@ -3,7 +3,7 @@
 // reproducible.
 #pragma once
 
-#include <cmath>
+#include "base/fraction.h"
 
 namespace oriel {
 
@@ -15,8 +15,8 @@ inline float dither_offset(int x, int y, int channel) {
   const float px = float(x) + 5.588238f * float(channel);
   const float py = float(y) + 5.588238f * float(channel);
   const float inner = 0.06711056f * px + 0.00583715f * py;
-  const float outer = 52.9829189f * (inner - std::floor(inner));
-  return outer - std::floor(outer) - 0.5f;
+  const float outer = 52.9829189f * fraction(inner);
+  return fraction(outer) - 0.5f;
 }
 
 }  // namespace oriel

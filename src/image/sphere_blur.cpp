@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/fraction.h"
 #include "base/frame.h"
 #include "base/math.h"
 #include "base/parallel.h"
@@ -41,7 +42,7 @@ CubeMap blurred(const CubeMap& map, float variance) {
     const float z = cosine_at((static_cast<float>(i) + 0.5f) / static_cast<float>(points), k);
     const float r = std::sqrt(std::max(0.0f, 1 - z * z));
     const float golden = 0.61803399f * static_cast<float>(i);
-    const float phi = kTwoPi * (golden - std::floor(golden));
+    const float phi = kTwoPi * fraction(golden);
     offsets.emplace_back(r * math::cos(phi), r * math::sin(phi), z);
   }
   CubeMap out(map.side());

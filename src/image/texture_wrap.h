@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/fraction.h"
 #include "image/texture.h"
 
 namespace oriel {
@@ -19,12 +20,12 @@ inline std::optional<float> wrapped(float x, Wrap mode) {
       if (x < 0 || x >= 1) return std::nullopt;
       return x;
     case Wrap::Periodic:
-      return x - std::floor(x);
+      return fraction(x);
     case Wrap::Clamp:
       return std::clamp(x, 0.0f, 1.0f);
     case Wrap::Mirror: {
       const float half = 0.5f * x;
-      const float t = 2 * (half - std::floor(half));
+      const float t = 2 * fraction(half);
       return t > 1 ? 2 - t : t;
     }
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/fraction.h"
 #include "base/math.h"
 
 namespace oriel::lens {
@@ -20,7 +21,7 @@ Vec2 on_circle(float turns) { return Vec2(math::cos(kTwoPi * turns), math::sin(k
 
 Aperture::Aperture(int blade_count, float blade_angle, float bias)
     : blades_(blade_count < 3 ? 0 : std::min(blade_count, kMaxBlades)),
-      angle_(std::isfinite(blade_angle) ? blade_angle - std::floor(blade_angle) : 0.0f),
+      angle_(std::isfinite(blade_angle) ? fraction(blade_angle) : 0.0f),
       exponent_(0.5f / (bias > kMinBias ? bias : kMinBias)) {}
 
 Aperture::Aperture(std::span<const Rgb> texels, std::size_t width, std::size_t height) {

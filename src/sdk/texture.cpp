@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/fraction.h"
 #include "runtime/texture_node.h"
 #include "sdk/call.h"
 #include "sdk/current.h"
@@ -44,7 +45,7 @@ bool look_up(const TextureNode& texture, miState* state, const miVector& coord, 
   }
   ShadingPoint point = point_of(state);
   // Coordinates repeat.
-  const Vec2 uv(coord.x - std::floor(coord.x), coord.y - std::floor(coord.y));
+  const Vec2 uv(fraction(coord.x), fraction(coord.y));
   point.tex[0] = vec(coord);
   color = as_c(texture.lookup(uv, point, {}));
   return true;
@@ -98,7 +99,7 @@ miBoolean mi_lookup_filter_color_texture(miColor* result, miState* state, miTag 
   footprint.dx = Vec2(ST[0], ST[1]) * (2 * radius);
   footprint.dy = Vec2(ST[4], ST[5]) * (2 * radius);
   ShadingPoint point = point_of(state);
-  const Vec2 uv(centre.x - std::floor(centre.x), centre.y - std::floor(centre.y));
+  const Vec2 uv(fraction(centre.x), fraction(centre.y));
   *result = as_c(texture->lookup(uv, footprint, point, {}));
   return miTRUE;
 }
