@@ -67,6 +67,10 @@ class CiRun(unittest.TestCase):
             self.assertNotIn("tidy was run", run.stdout)
             self.assertIn("clang-tidy: skipped for lack of time", run.stdout)
 
+    def test_headers_are_compiled_alone_when_there_is_time(self):
+        self.assertIn("build dev header_check\n", self.run_after(36.5).stdout)
+        self.assertNotIn("build dev", self.run_after(37.5).stdout)
+
     def test_the_sanitizers_run_as_far_as_there_is_time(self):
         self.assertIn("sanitizers: 15 tests passed;", self.run_after(5).stdout)
         for minutes in (32.5, 33.5):
