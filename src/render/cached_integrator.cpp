@@ -158,13 +158,8 @@ void CachedIntegrator::trace_sharp_caustics(const IntegratorPreparation& p) {
   use_chains();
 }
 
-/// What the search misses is little and has few photons: its estimates take larger discs.
 void CachedIntegrator::use_chains() {
-  if (chains_.empty()) return;
-  constexpr float kMissedRadius = 2;
-  maps_.chains = &chains_;
-  maps_.missed_lookup = maps_.caustic_lookup;
-  maps_.missed_lookup.radius *= kMissedRadius;
+  if (!chains_.empty()) maps_.chains = &chains_;
 }
 
 /// A few photons of light that rays find rarely, by which pilot paths decide. None where paths do

@@ -11,11 +11,12 @@
 
 namespace oriel {
 
-/// What a map of photons says of the side of a surface that `normal` points to; as
-/// PhotonMap::irradiance.
-inline Rgb irradiance_at(const PhotonMap& map, const ShadingPoint& point, const Vec3& normal,
-                         const PhotonLookup& lookup, Rgb* by_light = nullptr,
-                         std::size_t unknown = 0, int* found = nullptr) {
+/// The irradiance of the side of a surface that `normal` points to, by a map of photons: PhotonMap
+/// or PhotonDiscs.
+template <class Map>
+Rgb irradiance_at(const Map& map, const ShadingPoint& point, const Vec3& normal,
+                  const PhotonLookup& lookup, Rgb* by_light = nullptr, std::size_t unknown = 0,
+                  int* found = nullptr) {
   const MapPlace place = map_place(point, normal);
   return map.irradiance(place.position, place.normal, lookup, by_light, unknown, found);
 }
@@ -55,7 +56,6 @@ struct IndirectCaches {
   PhotonLookup caustic_lookup;
   /// Searched at what the camera sees, to correct the caustic map there; null = not.
   const ManifoldCaustics* chains = nullptr;
-  PhotonLookup missed_lookup;  ///< of ManifoldCaustics::missed()
   /// Caustics of lights that rays find rarely, read everywhere; null = rays bring them.
   const SharpPhotons* rarely_found = nullptr;
 

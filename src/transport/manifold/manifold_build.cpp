@@ -23,6 +23,10 @@ constexpr int kFewest = 10;
 constexpr float kLeastShareFound = 0.5f;
 /// Size of the smallest cells of starts, in radii of photon estimates.
 constexpr float kCell = 0.5f;
+/// The discs of photons that the search misses: neighbours in them, and the largest, in radii of
+/// photon estimates. Such photons are few, so they take large discs of few neighbours.
+constexpr int kNeighbours = 32;
+constexpr float kMissedRadius = 2;
 /// Maximum number of lights whose direct light is compared with caustics.
 constexpr std::size_t kMostLights = 16;
 /// Places and samples of a light for the noise of the search, and the largest mean of the squared
@@ -79,8 +83,10 @@ class ManifoldBuilder {
             static_cast<float>(emitted) / static_cast<float>(compared_of(emitted));
       }
     }
-    return ManifoldCaustics(std::move(starts_), PhotonMap(std::move(missed), merge),
-                            PhotonMap(std::move(others), merge));
+    return ManifoldCaustics(
+        std::move(starts_),
+        PhotonDiscs(std::move(missed), merge, kNeighbours, kMissedRadius * radius_),
+        PhotonMap(std::move(others), merge));
   }
 
  private:

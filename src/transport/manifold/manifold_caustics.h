@@ -9,6 +9,7 @@
 #include "sampling/sampler.h"
 #include "transport/manifold/chain_light.h"
 #include "transport/manifold/chain_starts.h"
+#include "transport/photon/photon_discs.h"
 
 namespace oriel {
 
@@ -50,12 +51,12 @@ void search_chains(const World& world, const ChainStarts::Found& at, const Chain
 class ManifoldCaustics {
  public:
   ManifoldCaustics() = default;
-  ManifoldCaustics(ChainStarts starts, PhotonMap missed, PhotonMap others)
+  ManifoldCaustics(ChainStarts starts, PhotonDiscs missed, PhotonMap others)
       : starts_(std::move(starts)), missed_(std::move(missed)), others_(std::move(others)) {}
 
   bool empty() const { return starts_.empty(); }
   /// Chains that the search does not find at places with starts, and those that it is not for.
-  const PhotonMap& missed() const { return missed_; }
+  const PhotonDiscs& missed() const { return missed_; }
   const PhotonMap& others() const { return others_; }
   /// Where chains from a place start, and the probability with which it is searched.
   ChainStarts::Found starts_at(const Vec3& position) const { return starts_.at(position); }
@@ -71,7 +72,8 @@ class ManifoldCaustics {
 
  private:
   ChainStarts starts_;
-  PhotonMap missed_, others_;
+  PhotonDiscs missed_;
+  PhotonMap others_;
 };
 
 }  // namespace oriel

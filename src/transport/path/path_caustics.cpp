@@ -58,7 +58,7 @@ void Path::take_caustics(const Closure& closure, ShadingPoint& point) {
     SideLight& side = passes ? behind : front;
     const Vec3 normal = facing(point.geometric_normal, lit_side(lobe));
     const Rgb albedo = albedo_of(lobe, point.wo()) * kInvPi;
-    const auto read = [&](const PhotonMap& photons, const PhotonLookup& lookup, float weight) {
+    const auto read = [&](const auto& photons, const PhotonLookup& lookup, float weight) {
       if (weight == 0 || photons.empty()) return;
       parts.clear(layers);
       const Rgb light =
@@ -74,7 +74,7 @@ void Path::take_caustics(const Closure& closure, ShadingPoint& point) {
       read(rarely_found->map, rarely_found->lookup, 1);
     if (map) read(*map, maps.caustic_lookup, weights.map);
     if (!searches) continue;
-    read(maps.chains->missed(), maps.missed_lookup, weights.searched);
+    read(maps.chains->missed(), maps.caustic_lookup, weights.searched);
     read(maps.chains->others(), maps.caustic_lookup, weights.searched);
   }
   const Vec2 u = searches ? stream.next_2d() : Vec2(0);
