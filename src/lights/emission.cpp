@@ -215,14 +215,11 @@ EmissiveInstance emissive_triangles(const World& world, std::uint32_t instance,
   const std::size_t places = mesh.triangles.size() > kLargeMesh ? 1 : std::size(kPlaces);
   std::vector<Sides> sides(mesh.triangles.size());
   constexpr std::size_t kBatch = 256;
-  parallel_for((sides.size() + kBatch - 1) / kBatch, [&](std::size_t batch) {
-    const std::size_t end = std::min(sides.size(), (batch + 1) * kBatch);
-    for (std::size_t i = batch * kBatch; i < end; ++i) {
-      const auto t = static_cast<std::uint32_t>(i);
-      const auto m = static_cast<std::size_t>(worn[mesh.slot_of(t)]);
-      if (materials[m] == EmissionKind::Source)
-        sides[i] = sides_of(world, world.materials[m], instance, t, places);
-    }
+  parallel_for_blocks(sides.size(), kBatch, [&](std::size_t i) {
+    const auto t = static_cast<std::uint32_t>(i);
+    const auto m = static_cast<std::size_t>(worn[mesh.slot_of(t)]);
+    if (materials[m] == EmissionKind::Source)
+      sides[i] = sides_of(world, world.materials[m], instance, t, places);
   });
   const bool moves = !desc.path.empty() || !mesh.keys.empty();
   std::optional<OpenSides> open;

@@ -145,10 +145,7 @@ class Displacer {
 
   void evaluate() {
     constexpr std::size_t kAtOnce = 512;
-    parallel_for((samples_.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t block) {
-      const std::size_t end = std::min(samples_.size(), (block + 1) * kAtOnce);
-      for (std::size_t i = block * kAtOnce; i < end; ++i) ask(samples_[i]);
-    });
+    parallel_for_blocks(samples_.size(), kAtOnce, [&](std::size_t i) { ask(samples_[i]); });
     for (Sample& s : samples_) {
       const bool straight = s.aside == Vec3(0);
       const float way = straight ? std::abs(s.amount) : length(s.aside + normal_at(s) * s.amount);

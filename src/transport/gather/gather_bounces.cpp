@@ -153,11 +153,9 @@ class BounceSolver {
   /// Whether the current records cover each point.
   std::vector<std::uint8_t> cover_of(std::span<const GatherPoint> points) const {
     std::vector<std::uint8_t> covered(points.size());
-    parallel_for((points.size() + kTestedAtOnce - 1) / kTestedAtOnce, [&](std::size_t block) {
-      const std::size_t end = std::min(points.size(), (block + 1) * kTestedAtOnce);
-      for (std::size_t i = block * kTestedAtOnce; i < end; ++i)
-        covered[i] =
-            cache_.interpolate(query_at(cover_, points[i].point, points[i].normal)).has_value();
+    parallel_for_blocks(points.size(), kTestedAtOnce, [&](std::size_t i) {
+      covered[i] =
+          cache_.interpolate(query_at(cover_, points[i].point, points[i].normal)).has_value();
     });
     return covered;
   }

@@ -23,8 +23,8 @@ constexpr int kFewest = 10;
 constexpr float kLeastShareFound = 0.5f;
 /// Size of the smallest cells of starts, in radii of photon estimates.
 constexpr float kCell = 0.5f;
-/// The discs of photons that the search misses: neighbours in them, and the largest, in radii of
-/// photon estimates. Such photons are few, so they take large discs of few neighbours.
+/// Photons that the search misses are few, so that each lights a disc of few neighbours, which may
+/// be large: their number, and the largest radius in radii of photon estimates.
 constexpr int kNeighbours = 32;
 constexpr float kMissedRadius = 2;
 /// Maximum number of lights whose direct light is compared with caustics.

@@ -13,15 +13,12 @@ PhotonDiscs::PhotonDiscs(std::vector<Photon> photons, float merge, int count, fl
   const PhotonMap all(std::move(photons), merge);
   std::vector<std::size_t> sizes(all.size());
   constexpr std::size_t kBlock = 256;
-  parallel_for((all.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
-    const std::size_t end = std::min(all.size(), (block + 1) * kBlock);
-    for (std::size_t i = block * kBlock; i < end; ++i) {
-      const Photon& photon = all.photons()[i];
-      const float own =
-          all.radius(photon.position, photon.normal, {.count = count, .radius = radius});
-      float size = radius;
-      while (sizes[i] + 1 < kSizes && size > own) size /= 2, ++sizes[i];
-    }
+  parallel_for_blocks(all.size(), kBlock, [&](std::size_t i) {
+    const Photon& photon = all.photons()[i];
+    const float own =
+        all.radius(photon.position, photon.normal, {.count = count, .radius = radius});
+    float size = radius;
+    while (sizes[i] + 1 < kSizes && size > own) size /= 2, ++sizes[i];
   });
   std::array<std::vector<Photon>, kSizes> by_size;
   for (std::size_t i = 0; i < all.size(); ++i) by_size[sizes[i]].push_back(all.photons()[i]);

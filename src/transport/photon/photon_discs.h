@@ -11,14 +11,15 @@
 
 namespace oriel {
 
-/// Photons whose light is spread over discs, so that none is gained: for photons that lie in lines
-/// and clusters. There an estimate by the nearest photons is too bright around them, since its disc
-/// becomes as small as the distance to them: of a line of photons it makes twice the light.
+/// Photons that each light a disc of their own size, for photons that lie in lines and clusters.
+/// The estimates of PhotonMap, by the nearest photons, are too bright there: around a line of
+/// photons they add up to twice its power.
 ///
-/// Model:   the disc of a photon ends at its `count`-th neighbour and is no larger than `radius`.
-///          Sizes are rounded down to `radius` divided by powers of two, the least by 2^(kSizes -
-///          1); the photons of each size form a map that is read with a fixed radius. On an
-///          unbounded plane the light is that of the photons. Immutable, so any thread may ask.
+/// Model:   the disc of a photon reaches to its `count`-th neighbour, at most to `radius`. Its size
+///          is rounded down to `radius` divided by a power of two up to 2^(kSizes - 1); smaller
+///          discs get this smallest size. The photons of each size are a map that is read with a
+///          fixed radius. On an unbounded plane the light of the discs adds up to the power of the
+///          photons. Immutable, so any thread may ask.
 /// Source:  I. Abramson, "On Bandwidth Variation in Kernel Estimates", Annals of Statistics 10(4),
 ///          1982 (a kernel for each sample).
 /// Checked: PhotonDiscs.* in photon_discs_test.cpp.

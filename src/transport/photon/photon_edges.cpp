@@ -76,16 +76,13 @@ void keep_light_at_edges(PhotonMap& map, const World& world, const PhotonLookup&
   std::vector<float> factors(map.size());
   std::vector<std::uint8_t> near_wall(map.size());
   constexpr std::size_t kAtOnce = 256;
-  parallel_for((map.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t block) {
-    const std::size_t end = std::min(map.size(), (block + 1) * kAtOnce);
-    for (std::size_t i = block * kAtOnce; i < end; ++i) {
-      const Photon& photon = map.photons()[i];
-      const float radius = map.radius(photon.position, photon.normal, lookup);
-      const Disc disc =
-          radius > 0 ? disc_of(world, photon, radius, static_cast<std::uint32_t>(i)) : Disc{};
-      factors[i] = 1 / std::max(disc.share, kLeastShare);
-      near_wall[i] = disc.near_wall;
-    }
+  parallel_for_blocks(map.size(), kAtOnce, [&](std::size_t i) {
+    const Photon& photon = map.photons()[i];
+    const float radius = map.radius(photon.position, photon.normal, lookup);
+    const Disc disc =
+        radius > 0 ? disc_of(world, photon, radius, static_cast<std::uint32_t>(i)) : Disc{};
+    factors[i] = 1 / std::max(disc.share, kLeastShare);
+    near_wall[i] = disc.near_wall;
   });
   for (std::size_t i = 0; i < factors.size(); ++i) map.scale_power(i, factors[i]);
   map.mark_walls(std::move(near_wall));

@@ -195,19 +195,16 @@ void PhotonMap::estimate_at_places(const PhotonLookup& lookup) {
   std::vector<Estimate> estimates(chosen.size());
   const int count = std::clamp(lookup.count / 2, 1, kMaxCount) + 1;
   constexpr std::size_t kBlock = 256;
-  parallel_for((chosen.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
-    const std::size_t end = std::min(chosen.size(), (block + 1) * kBlock);
-    for (std::size_t i = block * kBlock; i < end; ++i) {
-      const Photon& photon = photons()[chosen[i]];
-      NearestOthers nearest(count, lookup.radius);
-      tree_.find(photon.position, photon.normal, nearest);
-      const float radius2 = nearest.is_full() ? nearest.reach2() : sqr(lookup.radius);
-      Rgb sum(0);
-      for (int k = nearest.is_full() ? 1 : 0; k < nearest.count(); ++k)
-        sum += photons()[nearest[k].index].power * 2.0f;
-      estimates[i] = {photon.position, photon.normal, Rgb(0)};
-      if (radius2 > 0) estimates[i].irradiance = lookup.scale * sum * (1 / (kPi * radius2));
-    }
+  parallel_for_blocks(chosen.size(), kBlock, [&](std::size_t i) {
+    const Photon& photon = photons()[chosen[i]];
+    NearestOthers nearest(count, lookup.radius);
+    tree_.find(photon.position, photon.normal, nearest);
+    const float radius2 = nearest.is_full() ? nearest.reach2() : sqr(lookup.radius);
+    Rgb sum(0);
+    for (int k = nearest.is_full() ? 1 : 0; k < nearest.count(); ++k)
+      sum += photons()[nearest[k].index].power * 2.0f;
+    estimates[i] = {photon.position, photon.normal, Rgb(0)};
+    if (radius2 > 0) estimates[i].irradiance = lookup.scale * sum * (1 / (kPi * radius2));
   });
   geom::Box3 box;
   for (const Estimate& estimate : estimates) box.extendBy(estimate.position);
